@@ -1,0 +1,91 @@
+//! Triangulations of two bodies with named boundary parts, their refinement and quality.
+//!
+//! ```text
+//!        2                     Corners run counterclockwise. Side i is opposite corner i,
+//!       / \    side 0 = 1→2    from corner i+1 to corner i+2. A boundary side keeps its body
+//!      / T \   side 1 = 2→0    on the left, so the outward normal is on the right.
+//!     0-----1  side 2 = 0→1
+//! ```
+
+use crate::geometry::Point;
+
+/// One of the two bodies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Body {
+    /// `Ω'`, whose outward normal on the contact zone is `n`.
+    First,
+    /// `Ω''`.
+    Second,
+}
+
+impl Body {
+    /// Both bodies, in order.
+    pub const BOTH: [Self; 2] = [Self::First, Self::Second];
+
+    /// 0 for `Ω'`, 1 for `Ω''`.
+    pub fn index(self) -> usize {
+        self as usize
+    }
+}
+
+/// A side on the boundary, outside the contact zone.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct BoundarySide {
+    /// End nodes, the body on the left.
+    pub nodes: [u32; 2],
+    /// The triangle that owns the side.
+    pub triangle: u32,
+    /// Index into [`Mesh::parts`].
+    pub part: u16,
+}
+
+/// A side of the contact zone: the same segment of `Γ_K` seen from both bodies, nodes matched.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ContactSide {
+    /// The two nodes in `Ω'`, in the direction of the contact polyline.
+    pub first: [u32; 2],
+    /// The two nodes in `Ω''`, each at the same point as its partner in `first`.
+    pub second: [u32; 2],
+    /// Which segment `Γ_K,i` of the polyline, from 0.
+    pub segment: u16,
+}
+
+/// A triangulation of both bodies. Nodes on the contact zone are doubled, one for each body.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mesh {
+    /// Node positions.
+    pub points: Vec<Point>,
+    /// Which body each node belongs to.
+    pub node_bodies: Vec<Body>,
+    /// Corners of each triangle, counterclockwise; the triangles of `Ω'` come first.
+    pub triangles: Vec<[u32; 3]>,
+    /// How many triangles belong to `Ω'`.
+    pub first_triangles: usize,
+    /// Boundary sides outside the contact zone.
+    pub sides: Vec<BoundarySide>,
+    /// Names of the boundary parts; a part belongs to one body.
+    pub parts: Vec<PartName>,
+    /// Sides of the contact zone in the order of the polyline.
+    pub contact: Vec<ContactSide>,
+}
+
+/// The name of a boundary part and the body it belongs to.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PartName {
+    /// The body.
+    pub body: Body,
+    /// The name, unique within the body.
+    pub name: String,
+}
+
+impl Mesh {
+    /// The body of triangle `t`.
+    pub fn body(&self, t: usize) -> Body {
+        if t < self.first_triangles { Body::First } else { Body::Second }
+    }
+
+    /// The corner positions of triangle `t`.
+    pub fn corners(&self, t: usize) -> [Point; 3] {
+        self.triangles[t].map(|i| self.points[i as usize])
+    }
+}

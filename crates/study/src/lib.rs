@@ -1,0 +1,5 @@
+//! Convergence studies of elastic contact: from a study file to a [`record::StudyRecord`].
+//!
+//! A study is data (TOML), a result is data (JSON), and everything between is a pure function of the two and a seed.
+
+pub mod record;

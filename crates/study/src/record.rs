@@ -1,0 +1,306 @@
+//! What a study leaves behind: one [`StudyRecord`] per case. Tables, plots, pages and gates read nothing else.
+//!
+//! A number is `null` exactly where there is no value; a non-finite number is refused by [`StudyRecord::to_json`].
+
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+
+/// The version of the record's form.
+pub const SCHEMA: u32 = 1;
+
+/// The result of one case of a study.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct StudyRecord {
+    /// [`SCHEMA`] of the writer.
+    pub schema: u32,
+    /// Study id.
+    pub study: String,
+    /// Case name; the study's id where there is one case only.
+    pub case: String,
+    /// Whether the study has several cases (each then has a folder of its own).
+    pub several: bool,
+    /// Title of the study.
+    pub title: String,
+    /// What the study asks, in words.
+    pub question: String,
+    /// What is set up, in words.
+    pub setup: String,
+    /// What would refute the claim, in words.
+    pub refuted_by: String,
+    /// Numbers that define the case (`k`, `m`, `alpha`, `N`, …).
+    pub parameters: BTreeMap<String, f64>,
+    /// Claim id of the catalogue, or `own`.
+    pub claim: String,
+    /// The statement of the claim in words.
+    pub statement: String,
+    /// How the claim is judged.
+    pub kind: ClaimKind,
+    /// The norm that the claim judges: a key of `rates`.
+    pub norm: String,
+    /// Family of triangulations.
+    pub family: String,
+    /// `exact` or `overkill`.
+    pub reference: Reference,
+    /// `quick`, `full` or `custom` (`--levels`).
+    pub profile: String,
+    /// Seed of the random family, 0 where nothing is random.
+    pub seed: u64,
+    /// From the coarsest to the finest.
+    pub levels: Vec<Level>,
+    /// Fitted rates by name of the error norm (a field of [`Errors`]), and `dofs` against `dofs^{-1/2}`.
+    pub rates: BTreeMap<String, Rate>,
+    /// The three numbers a rate is held against.
+    pub bounds: Bounds,
+    /// The judgement.
+    pub verdict: Verdict,
+    /// What a control expects; a control passes when it gets it.
+    pub expect: Option<Outcome>,
+    /// Why an inconclusive verdict is expected at this profile's sizes.
+    pub expected_inconclusive: Option<String>,
+    /// Remarks for the reader: dropped tails, warnings of the mesh, drift from the baseline.
+    pub notes: Vec<String>,
+}
+
+/// Which reference the errors are measured against.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Reference {
+    /// A closed form.
+    Exact,
+    /// The discrete solution on a finer nested mesh.
+    Overkill {
+        /// Mesh size of the reference.
+        h: f64,
+        /// Its free displacement components.
+        dofs: usize,
+        /// Its energy `L(u_ref)`.
+        energy: f64,
+        /// Its own error in the energy norm, estimated from its place on the fitted curve.
+        estimated_error: Option<f64>,
+        /// Its scaled stationarity residual.
+        stationarity: f64,
+        /// The solver that computed it.
+        solver: String,
+    },
+    /// No reference: energies and KKT residuals alone.
+    None,
+}
+
+/// One mesh size of a case.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Level {
+    /// From 0, the coarsest.
+    pub level: usize,
+    /// Largest side of the mesh.
+    pub h: f64,
+    /// Smallest angle, in degrees.
+    pub min_angle: f64,
+    /// Longest over shortest side, `β`.
+    pub side_ratio: f64,
+    /// Whether `V_{k−1} ⊂ V_k` (false on the coarsest level of a family that is not nested).
+    pub nested: bool,
+    /// Displacement components not fixed by `Γ_u` or `Γ_0`.
+    pub dofs: usize,
+    /// Node pairs on `Γ_K`.
+    pub contact_pairs: usize,
+    /// Constraint rows kept.
+    pub constraints: usize,
+    /// Constraints with a multiplier `λ > 1e-8 max λ`.
+    pub active: usize,
+    /// Sides of the contact zone that hold a switch point.
+    pub switch_sides: Option<usize>,
+    /// `L(u_h)`.
+    pub energy: f64,
+    /// Relative difference of `A(e,e)` by quadrature and by energies.
+    pub two_way: Option<f64>,
+    /// 16 hex digits of the mesh's FNV-1a hash.
+    pub mesh_hash: String,
+    /// Errors of the discrete solution (norms, both bodies together).
+    pub errors: Errors,
+    /// Ledger of the error estimate, in squares of the energy norm.
+    pub ledger: Option<Ledger>,
+    /// KKT certificate.
+    pub kkt: Kkt,
+    /// Shares of `errors.energy`.
+    pub budget: Budget,
+    /// How it was solved.
+    pub solver: SolverRecord,
+    /// Whether the level may enter the fit, and if not why.
+    pub excluded: Option<String>,
+}
+
+/// Errors against the reference. `None` where the reference or the scene gives no value.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Errors {
+    /// The paper's seminorm, `(∫ ε_ij(e) ε_ij(e) dx)^{1/2}`.
+    pub strain: Option<f64>,
+    /// `√A(e,e)`.
+    pub energy: Option<f64>,
+    /// The full `H¹` norm.
+    pub h1: Option<f64>,
+    /// `L²`.
+    pub l2: Option<f64>,
+    /// `L²(Γ_K)` norm of the contact pressure's error.
+    pub pressure_l2: Option<f64>,
+    /// Lumped dual norm of the contact pressure's error, `(Σ_sides h_s ‖p − p_h‖²_{0,s})^{1/2}`.
+    pub pressure_dual: Option<f64>,
+    /// `‖([u_h]_n)_+‖_{0,Γ_K}`: penetration between nodes.
+    pub penetration_l2: Option<f64>,
+    /// Length of the symmetric difference of the contact sets.
+    pub contact_set: Option<f64>,
+    /// Error of the energy, `L(u_h) − L(u)`.
+    pub energy_gap: Option<f64>,
+    /// Strain seminorm on `Ω'` and on `Ω''`.
+    pub strain_bodies: Option<[f64; 2]>,
+    /// `√A(u−u_I, u−u_I)`, the interpolation error the ceiling is measured by.
+    pub interpolation: Option<f64>,
+}
+
+/// `½A(e,e) ≤ a + b + c`, term by term.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Ledger {
+    /// `½A(e,e)`.
+    pub lhs: f64,
+    /// `½A(u−u_I, u−u_I)`.
+    pub a: f64,
+    /// `∫ T_n [u_I]_n ds`.
+    pub b: f64,
+    /// Third term of the curved theorems; 0 on polygons.
+    pub c: f64,
+    /// Quadrature estimate of all terms together.
+    pub delta: f64,
+    /// `true`: holds; `false`: broken beyond `10 δ`; `None`: within `10 δ`.
+    pub holds: Option<bool>,
+}
+
+/// Scaled residuals of the optimality conditions (no units), recomputed from the raw data.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Kkt {
+    /// `‖f−Kx−λ‖_∞ / (‖K‖_∞‖x‖_∞ + ‖f‖_∞)`.
+    pub stationarity: f64,
+    /// `max(x_c−g)_+ / max|u|`.
+    pub penetration: f64,
+    /// `max(−λ)_+ / max|λ|`.
+    pub tension: f64,
+    /// `Σ|λ(g−x_c)| / A(u_h,u_h)`.
+    pub complementarity: f64,
+    /// Constraints with `λ < 1e-8 max λ` and `g−x_c < 1e-8 max|u|`.
+    pub weakly_active: usize,
+}
+
+/// What else than the discretisation may sit in the measured error, as shares of `errors.energy`.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Budget {
+    /// KKT residual in the energy norm.
+    pub algebraic: Option<f64>,
+    /// Loads, error integrals and energies against a rule one refinement finer.
+    pub quadrature: Option<f64>,
+    /// Domain replaced by its mesh; 0 on polygons.
+    pub geometry: Option<f64>,
+    /// Contamination by the reference's own error.
+    pub reference: Option<f64>,
+}
+
+/// How a level was solved.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct SolverRecord {
+    /// `condensed`, `interior-point`, …
+    pub name: String,
+    /// `converged`, `rescued`, `iteration limit`, …
+    pub status: String,
+    /// Whether the answer may be used.
+    pub solved: bool,
+    /// Active-set or interior-point iterations.
+    pub iterations: usize,
+    /// Sparse factorisations.
+    pub factorizations: usize,
+}
+
+/// A fitted rate, `e ≈ C h^slope`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Rate {
+    /// Least-squares slope of `log e` against `log h`.
+    pub slope: f64,
+    /// Its standard error.
+    pub stderr: f64,
+    /// Lower end of the 95 % interval (Student t).
+    pub low: f64,
+    /// Upper end.
+    pub high: f64,
+    /// The levels of the asymptotic window.
+    pub levels: Vec<usize>,
+    /// `log C`.
+    pub intercept: f64,
+    /// Coefficient of determination.
+    pub r2: f64,
+    /// Rates between successive usable levels: `(finer level, rate)`.
+    pub pairwise: Vec<(usize, f64)>,
+    /// Second difference of the log–log curve: the mean change of the pairwise rate per level in the window.
+    pub curvature: f64,
+    /// Slope of the same window against `dofs^{-1/2}`.
+    pub dofs_slope: f64,
+}
+
+/// What a rate is held against; `None` where there is no such bound.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Bounds {
+    /// The paper's.
+    pub paper: Option<f64>,
+    /// Today's best.
+    pub today: Option<f64>,
+    /// From the regularity of the solution.
+    pub expected: Option<f64>,
+}
+
+/// How a claim is judged.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum ClaimKind {
+    /// The fitted rate against the bound.
+    Rate,
+    /// An inequality on every level.
+    Inequality,
+    /// Rounding error on every level.
+    Exact,
+    /// Errors fall from level to level by a stated factor.
+    Convergence,
+    /// The largest over the smallest constant of the levels or cases is bounded.
+    Bounded,
+}
+
+/// Pass, fail or inconclusive. Ordered from best to worst, so the worst of several is their maximum.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Outcome {
+    /// The claim holds as far as the study can see.
+    Pass,
+    /// The study cannot judge.
+    Inconclusive,
+    /// The claim is refuted.
+    Fail,
+}
+
+/// A judgement with its reasons, for the reader.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Verdict {
+    /// What came out.
+    pub outcome: Outcome,
+    /// Why, most important first.
+    pub reasons: Vec<String>,
+}
+
+/// A record that cannot be written or read.
+#[derive(Debug, thiserror::Error)]
+pub enum RecordError {
+    /// A number is NaN or infinite; JSON has no word for it.
+    #[error("record: {path} is {value}, and JSON has no such number")]
+    NonFinite {
+        /// Where in the record, e.g. `levels[3].errors.strain`.
+        path: String,
+        /// `NaN`, `inf` or `-inf`.
+        value: f64,
+    },
+    /// Malformed JSON, or of another schema.
+    #[error("record: {0}")]
+    Json(#[from] serde_json::Error),
+}
