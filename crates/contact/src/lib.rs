@@ -17,6 +17,7 @@
 
 pub mod error;
 pub mod geometry;
+pub mod material;
 pub mod mesh;
 pub mod qp;
 pub mod solver;
@@ -24,4 +25,5 @@ pub mod sparse;
 
 pub use error::Error;
 pub use geometry::{Point, Vec2};
+pub use material::Material;
 pub use mesh::Body;

@@ -81,11 +81,26 @@ pub struct PartName {
 impl Mesh {
     /// The body of triangle `t`.
     pub fn body(&self, t: usize) -> Body {
-        if t < self.first_triangles { Body::First } else { Body::Second }
+        if t < self.first_triangles {
+            Body::First
+        } else {
+            Body::Second
+        }
     }
 
     /// The corner positions of triangle `t`.
     pub fn corners(&self, t: usize) -> [Point; 3] {
         self.triangles[t].map(|i| self.points[i as usize])
     }
+}
+
+/// A boundary part before there is a mesh: every side of `body` that lies on the polyline belongs to it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PartOutline {
+    /// The body.
+    pub body: Body,
+    /// The name, unique within the body.
+    pub name: String,
+    /// Corners of the polyline.
+    pub along: Vec<Point>,
 }

@@ -1,0 +1,43 @@
+//! Exact solutions of contact problems: built-in closed forms and expressions of a study file.
+
+use signorini_contact::{Body, Point, Vec2, geometry::Segment};
+
+/// Displacement and its first derivatives at a point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Jet {
+    /// `u_i`.
+    pub value: Vec2,
+    /// `gradient[i][j] = ∂_j u_i`.
+    pub gradient: [[f64; 2]; 2],
+}
+
+/// Displacement with first and second derivatives at a point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Jet2 {
+    /// `u_i`.
+    pub value: Vec2,
+    /// `gradient[i][j] = ∂_j u_i`.
+    pub gradient: [[f64; 2]; 2],
+    /// `hessian[i][j][k] = ∂_j ∂_k u_i`.
+    pub hessian: [[[f64; 2]; 2]; 2],
+}
+
+/// An exact displacement of both bodies, with what quadrature has to know of it.
+pub trait Exact: Send + Sync {
+    /// `u(x)` in `body`.
+    fn value(&self, body: Body, x: Point) -> Vec2;
+    /// `u` and `∇u`.
+    fn jet(&self, body: Body, x: Point) -> Jet;
+    /// `u`, `∇u` and `∇∇u`.
+    fn jet2(&self, body: Body, x: Point) -> Jet2;
+    /// Points where derivatives blow up: quadrature is graded towards them.
+    fn singular_points(&self) -> Vec<Point>;
+    /// Lines across which a derivative up to the second jumps: quadrature is cut there.
+    fn break_lines(&self) -> Vec<Segment>;
+    /// Points of `Γ_K` where contact switches on or off.
+    fn switch_points(&self) -> Vec<Point>;
+    /// Remarks for the record, e.g. a dropped tail.
+    fn notes(&self) -> Vec<String> {
+        Vec::new()
+    }
+}

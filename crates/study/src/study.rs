@@ -1,0 +1,199 @@
+//! A study with everything resolved: what to build, solve, measure and judge, case by case.
+
+use crate::claim::Claim;
+use crate::exact::Exact;
+use crate::family::Family;
+use crate::record::{Bounds, Outcome};
+use signorini_contact::{Body, Material, Point, Vec2, mesh, solver};
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+/// A study: a question, a claim and the cases that answer it.
+#[derive(Clone)]
+pub struct Study {
+    /// Id, the file's stem.
+    pub id: String,
+    /// One line.
+    pub title: String,
+    /// What is asked.
+    pub question: String,
+    /// What is set up.
+    pub setup: String,
+    /// What would refute the claim.
+    pub refuted_by: String,
+    /// The claim that is judged.
+    pub claim: Claim,
+    /// Where the study was read.
+    pub source: PathBuf,
+    /// The cases in file order, each complete in itself.
+    pub cases: Vec<Case>,
+}
+
+/// One scene, one family, one reference.
+#[derive(Clone)]
+pub struct Case {
+    /// Name, unique in the study.
+    pub name: String,
+    /// Bodies, materials, loads, contact.
+    pub scene: Scene,
+    /// Family of triangulations.
+    pub family: Family,
+    /// Cells per unit of the coarse block division on each level, coarsest first: quick profile.
+    pub quick: Vec<usize>,
+    /// The same for the full profile.
+    pub full: Vec<usize>,
+    /// What the errors are measured against.
+    pub reference: ReferencePlan,
+    /// Solver settings.
+    pub solver: solver::Settings,
+    /// How sharply to judge.
+    pub gates: Gates,
+    /// The three bounds, with the case's own in place of the claim's where it states them.
+    pub bounds: Bounds,
+    /// Whether a rate above the expected one is reported and not gated.
+    pub expected_is_asymptotic: bool,
+    /// Numbers that define the case, for the record.
+    pub parameters: BTreeMap<String, f64>,
+    /// What a control expects.
+    pub expect: Option<Outcome>,
+    /// Why the case cannot be judged at the quick profile's sizes.
+    pub inconclusive_at_quick: Option<String>,
+    /// Fixed quadrature depth in place of the graded one at singular points (a control's defect).
+    pub fixed_quadrature: bool,
+    /// Remarks of the reader's interest, e.g. a dropped tail.
+    pub notes: Vec<String>,
+}
+
+/// Reference solution of a case.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum ReferencePlan {
+    /// The scene's exact solution.
+    Exact,
+    /// The discrete solution with this many cells, nested above every level: quick and full profile.
+    Overkill {
+        /// Cells of the reference mesh at the quick profile.
+        quick: usize,
+        /// Cells at the full profile.
+        full: usize,
+    },
+    /// None: energies and certificates only.
+    None,
+}
+
+/// Tolerances of the verdict; `design.md` states the defaults.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Gates {
+    /// Tolerance on the rate (0.05).
+    pub rate_tolerance: f64,
+    /// Error ceiling: `energy ≤ ceiling · interpolation error` (1.5; `None`: no ceiling).
+    pub ceiling: Option<f64>,
+    /// Kind `exact`: error ≤ this · ‖u‖_A (1e-11).
+    pub exact_tolerance: f64,
+    /// Kind `convergence`: each error at most this times the previous (0.9).
+    pub fall: f64,
+    /// Kind `bounded`: largest over smallest constant (2).
+    pub spread: f64,
+    /// Largest share of a budget item (0.05).
+    pub share: f64,
+}
+
+impl Default for Gates {
+    fn default() -> Self {
+        Self {
+            rate_tolerance: 0.05,
+            ceiling: Some(1.5),
+            exact_tolerance: 1e-11,
+            fall: 0.9,
+            spread: 2.0,
+            share: 0.05,
+        }
+    }
+}
+
+/// Two bodies, their materials, boundary conditions, loads and contact zone.
+#[derive(Clone)]
+pub struct Scene {
+    /// Shapes of `Ω'` and `Ω''`.
+    pub bodies: [Shape; 2],
+    /// Materials of the discrete problem.
+    pub materials: [Material; 2],
+    /// Boundary parts outside the contact zone.
+    pub parts: Vec<Part>,
+    /// The contact polyline `A_1 … A_{m+1}`.
+    pub contact: Vec<Point>,
+    /// Body forces given by expressions; `None`: zero, or from the exact solution if there is one.
+    pub body_force: [Option<VectorField>; 2],
+    /// The exact solution, with the materials that it solves for.
+    pub exact: Option<ExactScene>,
+}
+
+/// A body: quadrilateral blocks, corners counterclockwise, sharing whole sides.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shape {
+    /// Its name in the study.
+    pub name: String,
+    /// The blocks and how each is divided.
+    pub blocks: Vec<Block>,
+}
+
+/// A quadrilateral, divided into `divisions[0]·n × divisions[1]·n` cells at mesh parameter `n`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Block {
+    /// Corners, counterclockwise; cells run along `corner 0 → 1` first and along `0 → 3` second.
+    pub corners: [Point; 4],
+    /// Cells per unit of `n` in the two directions.
+    pub divisions: [usize; 2],
+}
+
+/// A named boundary part and its condition.
+#[derive(Clone)]
+pub struct Part {
+    /// Body.
+    pub body: Body,
+    /// Name, unique within the body.
+    pub name: String,
+    /// The polyline that it covers.
+    pub along: Vec<Point>,
+    /// The condition on it.
+    pub condition: PartCondition,
+}
+
+/// Conditions of the study file.
+#[derive(Clone)]
+pub enum PartCondition {
+    /// `Γ_u` with `u = 0`, or given data; with an exact solution and no data, its trace.
+    Fixed(Option<VectorField>),
+    /// `Γ_0`: `u_n = 0`, no tangential traction.
+    Sliding,
+    /// `Γτ` with given traction; with an exact solution and no data, `τ(u) n`.
+    Traction(Option<VectorField>),
+    /// `Γτ` without traction.
+    Free,
+}
+
+/// A vector field given by the study: two expressions in `x, y` and, on the boundary, the normal `nx, ny`.
+pub type VectorField = Arc<dyn Fn(Point, Vec2) -> Vec2 + Send + Sync>;
+
+/// An exact solution and the materials it was built for.
+#[derive(Clone)]
+pub struct ExactScene {
+    /// The solution.
+    pub solution: Arc<dyn Exact>,
+    /// The materials that turn it into loads. Those of the scene unless a control plants a defect.
+    pub materials: [Material; 2],
+}
+
+impl Scene {
+    /// The parts as the mesh wants them: body, name, polyline.
+    pub fn part_outlines(&self) -> Vec<mesh::PartOutline> {
+        self.parts
+            .iter()
+            .map(|p| mesh::PartOutline {
+                body: p.body,
+                name: p.name.clone(),
+                along: p.along.clone(),
+            })
+            .collect()
+    }
+}
