@@ -15,13 +15,18 @@
 //! The modules in reading order: [`geometry`], [`quadrature`], [`material`], [`mesh`], [`element`], [`zone`],
 //! [`assembly`], [`sparse`], [`qp`], [`solver`], [`rigid`], [`problem`], [`norm`].
 
+pub mod basis;
+pub mod element;
 pub mod error;
 pub mod geometry;
 pub mod material;
 pub mod mesh;
 pub mod qp;
+pub mod quadrature;
 pub mod solver;
 pub mod sparse;
+pub mod sum;
+pub mod zone;
 
 pub use error::Error;
 pub use geometry::{Point, Vec2};

@@ -40,18 +40,13 @@ impl Material {
     /// Isotropic, by `λ` and `μ` of plane strain.
     pub fn lame(lambda: f64, mu: f64) -> Result<Self, Error> {
         let normal = lambda + 2.0 * mu;
-        Self::checked(
-            [[normal, lambda, 0.0], [lambda, normal, 0.0], [0.0, 0.0, mu]],
-            Some(Lame { lambda, mu }),
-        )
+        Self::checked([[normal, lambda, 0.0], [lambda, normal, 0.0], [0.0, 0.0, mu]], Some(Lame { lambda, mu }))
     }
 
     /// Isotropic, by Young's modulus `E > 0` and Poisson's ratio `−1 < ν < ½`.
     pub fn isotropic(young: f64, poisson: f64, plane: Plane) -> Result<Self, Error> {
         if !(young > 0.0 && young.is_finite()) {
-            return Err(Error::Material(format!(
-                "Young's modulus E = {young} must be positive and finite"
-            )));
+            return Err(Error::Material(format!("Young's modulus E = {young} must be positive and finite")));
         }
         if !(poisson > -1.0 && poisson < 0.5) {
             return Err(Error::Material(format!(
@@ -69,12 +64,7 @@ impl Material {
 
     /// Orthotropic along the axes: moduli `E_1, E_2, E_3`, ratios `ν_12, ν_13, ν_23` (`ν_ij/E_i = ν_ji/E_j`), shear modulus
     /// `G_12`. Plane stress ignores `E_3, ν_13, ν_23`.
-    pub fn orthotropic(
-        moduli: [f64; 3],
-        ratios: [f64; 3],
-        shear: f64,
-        plane: Plane,
-    ) -> Result<Self, Error> {
+    pub fn orthotropic(moduli: [f64; 3], ratios: [f64; 3], shear: f64, plane: Plane) -> Result<Self, Error> {
         let [e1, e2, e3] = moduli;
         let [n12, n13, n23] = ratios;
         // Compliance ε_1 = S_11 τ_1 + S_12 τ_2; plane strain eliminates τ_3 through ε_3 = 0.
@@ -85,14 +75,7 @@ impl Material {
             s12 -= n13 / e1 * (n23 / e2) * e3;
         }
         let det = s11 * s22 - s12 * s12;
-        Self::checked(
-            [
-                [s22 / det, -s12 / det, 0.0],
-                [-s12 / det, s11 / det, 0.0],
-                [0.0, 0.0, shear],
-            ],
-            None,
-        )
+        Self::checked([[s22 / det, -s12 / det, 0.0], [-s12 / det, s11 / det, 0.0], [0.0, 0.0, shear]], None)
     }
 
     fn checked(c: [[f64; 3]; 3], lame: Option<Lame>) -> Result<Self, Error> {
@@ -144,11 +127,7 @@ pub fn contract(a: Sym2, b: Sym2) -> f64 {
 
 /// The strain `ε_ij = ½(∂_j u_i + ∂_i u_j)` of a displacement gradient `gradient[i][j] = ∂_j u_i`.
 pub fn strain(gradient: [[f64; 2]; 2]) -> Sym2 {
-    [
-        gradient[0][0],
-        gradient[1][1],
-        0.5 * (gradient[0][1] + gradient[1][0]),
-    ]
+    [gradient[0][0], gradient[1][1], 0.5 * (gradient[0][1] + gradient[1][0])]
 }
 
 fn smallest_modulus(c: &[[f64; 3]; 3]) -> f64 {
@@ -183,12 +162,7 @@ mod tests {
         for plane in [Plane::Strain, Plane::Stress] {
             let iso = Material::isotropic(2.6, 0.3, plane).unwrap();
             let ortho = Material::orthotropic([2.6; 3], [0.3; 3], 1.0, plane).unwrap();
-            for (a, b) in iso
-                .matrix()
-                .iter()
-                .flatten()
-                .zip(ortho.matrix().iter().flatten())
-            {
+            for (a, b) in iso.matrix().iter().flatten().zip(ortho.matrix().iter().flatten()) {
                 assert!((a - b).abs() < 1e-14, "{plane:?}: {a} {b}");
             }
         }
@@ -198,15 +172,9 @@ mod tests {
     fn laws_that_break_2_7_are_refused() {
         assert!(Material::isotropic(1.0, 0.5, Plane::Strain).is_err());
         assert!(Material::isotropic(-1.0, 0.3, Plane::Strain).is_err());
-        assert!(
-            Material::lame(-1.0, 1.0).is_err(),
-            "λ + μ = 0 is not positive"
-        );
+        assert!(Material::lame(-1.0, 1.0).is_err(), "λ + μ = 0 is not positive");
         assert!(Material::general([[1.0, 2.0, 0.0], [2.0, 1.0, 0.0], [0.0, 0.0, 1.0]]).is_err());
         assert!(Material::general([[1.0, 0.1, 0.0], [0.2, 1.0, 0.0], [0.0, 0.0, 1.0]]).is_err());
-        assert!(
-            Material::general([[1.0, 0.0, f64::NAN], [0.0, 1.0, 0.0], [f64::NAN, 0.0, 1.0]])
-                .is_err()
-        );
+        assert!(Material::general([[1.0, 0.0, f64::NAN], [0.0, 1.0, 0.0], [f64::NAN, 0.0, 1.0]]).is_err());
     }
 }

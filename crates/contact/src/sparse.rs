@@ -28,45 +28,34 @@ impl BlockMatrix {
     /// The columns and blocks of block row `i`.
     pub fn row(&self, i: usize) -> impl Iterator<Item = (usize, &[f64; 4])> + '_ {
         let range = self.row_start[i]..self.row_start[i + 1];
-        self.columns[range.clone()]
-            .iter()
-            .map(|&j| j as usize)
-            .zip(&self.blocks[range])
+        self.columns[range.clone()].iter().map(|&j| j as usize).zip(&self.blocks[range])
     }
 
     /// The diagonal block of row `i` (zero if it is not stored).
     pub fn diagonal_block(&self, i: usize) -> [f64; 4] {
-        self.row(i)
-            .find(|&(j, _)| j == i)
-            .map_or([0.0; 4], |(_, b)| *b)
+        self.row(i).find(|&(j, _)| j == i).map_or([0.0; 4], |(_, b)| *b)
     }
 
     /// `y = K x`, both of length [`dimension`](Self::dimension). About 40 bytes read per block.
     pub fn apply(&self, x: &[f64], y: &mut [f64]) {
         use rayon::prelude::*;
-        y.par_chunks_mut(2)
-            .with_min_len(1024)
-            .enumerate()
-            .for_each(|(i, y)| {
-                let mut sum = [0.0; 2];
-                for (j, b) in self.row(i) {
-                    let (x0, x1) = (x[2 * j], x[2 * j + 1]);
-                    sum[0] += b[0] * x0 + b[1] * x1;
-                    sum[1] += b[2] * x0 + b[3] * x1;
-                }
-                y.copy_from_slice(&sum);
-            });
+        y.par_chunks_mut(2).with_min_len(1024).enumerate().for_each(|(i, y)| {
+            let mut sum = [0.0; 2];
+            for (j, b) in self.row(i) {
+                let (x0, x1) = (x[2 * j], x[2 * j + 1]);
+                sum[0] += b[0] * x0 + b[1] * x1;
+                sum[1] += b[2] * x0 + b[3] * x1;
+            }
+            y.copy_from_slice(&sum);
+        });
     }
 
     /// `‖K‖_∞`, the largest row sum of absolute values.
     pub fn norm_inf(&self) -> f64 {
         let row_sum = |i: usize| {
-            let s = self.row(i).fold([0.0, 0.0], |s, (_, b)| {
-                [
-                    s[0] + b[0].abs() + b[1].abs(),
-                    s[1] + b[2].abs() + b[3].abs(),
-                ]
-            });
+            let s = self
+                .row(i)
+                .fold([0.0, 0.0], |s, (_, b)| [s[0] + b[0].abs() + b[1].abs(), s[1] + b[2].abs() + b[3].abs()]);
             f64::max(s[0], s[1])
         };
         (0..self.rows()).map(row_sum).fold(0.0, f64::max)

@@ -100,14 +100,7 @@ pub struct Gates {
 
 impl Default for Gates {
     fn default() -> Self {
-        Self {
-            rate_tolerance: 0.05,
-            ceiling: Some(1.5),
-            exact_tolerance: 1e-11,
-            fall: 0.9,
-            spread: 2.0,
-            share: 0.05,
-        }
+        Self { rate_tolerance: 0.05, ceiling: Some(1.5), exact_tolerance: 1e-11, fall: 0.9, spread: 2.0, share: 0.05 }
     }
 }
 
@@ -189,11 +182,7 @@ impl Scene {
     pub fn part_outlines(&self) -> Vec<mesh::PartOutline> {
         self.parts
             .iter()
-            .map(|p| mesh::PartOutline {
-                body: p.body,
-                name: p.name.clone(),
-                along: p.along.clone(),
-            })
+            .map(|p| mesh::PartOutline { body: p.body, name: p.name.clone(), along: p.along.clone() })
             .collect()
     }
 }

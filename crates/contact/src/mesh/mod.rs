@@ -81,11 +81,7 @@ pub struct PartName {
 impl Mesh {
     /// The body of triangle `t`.
     pub fn body(&self, t: usize) -> Body {
-        if t < self.first_triangles {
-            Body::First
-        } else {
-            Body::Second
-        }
+        if t < self.first_triangles { Body::First } else { Body::Second }
     }
 
     /// The corner positions of triangle `t`.

@@ -24,12 +24,7 @@ pub struct Settings {
 
 impl Default for Settings {
     fn default() -> Self {
-        Self {
-            method: Method::Condensed,
-            max_steps: 50,
-            tolerance: 1e-11,
-            crossover: true,
-        }
+        Self { method: Method::Condensed, max_steps: 50, tolerance: 1e-11, crossover: true }
     }
 }
 
