@@ -15,14 +15,18 @@
 //! The modules in reading order: [`geometry`], [`quadrature`], [`material`], [`mesh`], [`element`], [`zone`],
 //! [`assembly`], [`sparse`], [`qp`], [`solver`], [`rigid`], [`problem`], [`norm`].
 
+pub mod assembly;
 pub mod basis;
 pub mod element;
 pub mod error;
 pub mod geometry;
 pub mod material;
 pub mod mesh;
+pub mod norm;
+pub mod problem;
 pub mod qp;
 pub mod quadrature;
+pub mod rigid;
 pub mod solver;
 pub mod sparse;
 pub mod sum;
