@@ -52,7 +52,8 @@ impl Squares {
         self.l2.sqrt()
     }
 
-    fn add(&mut self, body: Body, material: &Material, weight: f64, value: Vec2, gradient: [[f64; 2]; 2]) {
+    /// Adds `weight` times the squares of a value and a gradient at one point.
+    pub fn add(&mut self, body: Body, material: &Material, weight: f64, value: Vec2, gradient: [[f64; 2]; 2]) {
         let e = strain(gradient);
         self.strain[body.index()] += weight * contract(e, e);
         self.energy += weight * contract(material.stress(e), e);

@@ -95,6 +95,12 @@ pub struct Solution {
 impl Problem<'_> {
     /// Assembles, and refuses what has no solution: a load that pushes a free body away, contradicting supports.
     pub fn discretise(&self) -> Result<Discrete, Error> {
+        self.discretise_with(assembly::loads(self.mesh, self.supports, self.data, self.cubature)?)
+    }
+
+    /// The same with nodal loads `f(φ_i)` that were integrated elsewhere.
+    pub fn discretise_with(&self, load: Vec<Vec2>) -> Result<Discrete, Error> {
+        self.refuse_non_finite(&load)?;
         let nodes = self.node_supports()?;
         let zone = Zone::new(self.mesh);
         let mut basis = Basis::new(&nodes);
@@ -103,7 +109,6 @@ impl Problem<'_> {
             tied.extend(basis.tie(i, pair, [&nodes[pair.first as usize], &nodes[pair.second as usize]])?);
         }
         tied.sort_by_key(|(bound, _)| bound.dof);
-        let load = assembly::loads(self.mesh, self.supports, self.data, self.cubature)?;
         let balance = rigid::balance(self.mesh, &nodes, &zone, &load)?;
         let matrix = assembly::stiffness(self.mesh, &self.materials, &basis);
         let reaction = assembly::internal_forces(self.mesh, &self.materials, &basis.offset);
@@ -125,6 +130,16 @@ impl Problem<'_> {
         let raw = solver::solve(&discrete.qp, settings);
         let solution = discrete.recover(self.mesh, &self.materials, raw);
         Ok((discrete, solution))
+    }
+
+    fn refuse_non_finite(&self, load: &[Vec2]) -> Result<(), Error> {
+        match load.iter().position(|f| !(f.x.is_finite() && f.y.is_finite())) {
+            None => Ok(()),
+            Some(i) => Err(Error::Load(format!(
+                "the nodal load at ({}, {}) is ({}, {}), which is no number; check the loads around that point",
+                self.mesh.points[i].x, self.mesh.points[i].y, load[i].x, load[i].y
+            ))),
+        }
     }
 
     /// What each node may do, from the parts that its sides belong to.
