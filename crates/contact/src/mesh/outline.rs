@@ -3,7 +3,7 @@
 use super::triangulation::{FreeSide, Triangulation, at, mesh_error};
 use super::{Body, PartOutline};
 use crate::Error;
-use crate::geometry::{Point, segments};
+use crate::geometry::{Point, Segment, segments};
 use std::collections::BTreeSet;
 
 /// What a boundary side belongs to.
@@ -70,8 +70,8 @@ fn check_polyline(name: &str, along: &[Point], tolerance: f64) -> Result<(), Err
             along.len()
         )));
     }
-    // A negated comparison refuses NaN too.
-    match segments(along).find(|s| !(s.length() > tolerance && s.length().is_finite())) {
+    let bad = |s: &Segment| !s.length().is_finite() || s.length() <= tolerance;
+    match segments(along).find(bad) {
         None => Ok(()),
         Some(s) => Err(mesh_error(format!(
             "{name} has a segment of length {} from {} to {}; it must exceed {tolerance:.1e}: remove one of the points",

@@ -43,7 +43,7 @@ pub fn largest_cotangent(corners: [Point; 3]) -> f64 {
         let b = corners[(i + 2) % 3] - corners[i];
         // cot ϑ_i = a·b / a×b
         let area = cross(a, b);
-        if !(area > 0.0) {
+        if area.is_nan() || area <= 0.0 {
             return f64::INFINITY;
         }
         largest = f64::max(largest, a.dot(&b) / area);

@@ -105,8 +105,7 @@ impl Triangulation {
         let [a, b, c] = triangle.map(|i| self.points[i as usize]);
         let longest = (b - a).norm().max((c - b).norm()).max((a - c).norm());
         let (area, bound) = (twice_area(a, b, c), FLATTEST * longest * longest);
-        // A negated comparison refuses NaN too.
-        if !(area > bound) {
+        if area.is_nan() || area <= bound {
             let (what, hint) = if area < -bound {
                 ("runs clockwise", "exchange two of its corners")
             } else {

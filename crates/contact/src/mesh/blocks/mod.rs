@@ -61,8 +61,8 @@ impl QuadBlock {
             .norm_squared()
             .max((c[3] - c[1]).norm_squared());
         let turns = [0, 1, 2, 3].map(|i| twice_area(c[(i + 3) % 4], c[i], c[(i + 1) % 4]));
-        // A negated comparison refuses NaN too.
-        let Some(i) = turns.iter().position(|&turn| !(turn > 1e-10 * size)) else {
+        let bad = |&turn: &f64| turn.is_nan() || turn <= 1e-10 * size;
+        let Some(i) = turns.iter().position(bad) else {
             return Ok(());
         };
         let (what, hint) = if turns.iter().all(|&turn| turn < 0.0) {
