@@ -92,8 +92,10 @@ pub struct Gates {
     pub exact_tolerance: f64,
     /// Kind `convergence`: each error at most this times the previous (0.9).
     pub fall: f64,
-    /// Kind `bounded`: largest over smallest constant (2).
+    /// Kind `bounded`: largest over smallest constant, or largest over `constant` where that is given (2).
     pub spread: f64,
+    /// Kind `bounded`: the reference constant of an upper bound that may vanish on some meshes (none).
+    pub constant: Option<f64>,
     /// Largest share of a budget item (0.05).
     pub share: f64,
 }
@@ -106,6 +108,7 @@ impl Default for Gates {
             exact_tolerance: 1e-11,
             fall: 0.9,
             spread: 2.0,
+            constant: None,
             share: 0.05,
         }
     }
