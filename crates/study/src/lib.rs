@@ -5,5 +5,11 @@
 pub mod claim;
 pub mod exact;
 pub mod family;
+mod finite;
+pub mod rate;
 pub mod record;
+#[cfg(test)]
+mod sample;
+pub mod store;
 pub mod study;
+pub mod verdict;
