@@ -50,32 +50,41 @@ pub fn bound(x: f64) -> String {
     }
 }
 
-/// The order of a bound, `O(h)`, `O(h³ᐟ⁴)`, `O(h²)`.
+/// The order of a bound, `O(h)`, `O(h²)`, `O(h^{3/4})`; what stands in `^{…}` is to be raised.
 pub fn order(exponent: f64) -> String {
     format!("O({})", power_of_h(exponent))
 }
 
-/// `h`, `h²`, `h³ᐟ²`, `h⁰·⁷²`; `1` for the exponent 0.
-pub fn power_of_h(exponent: f64) -> String {
+/// `h`, `h²`, `h^{3/2}`, `h^{0.72}`; `1` for the exponent 0.
+fn power_of_h(exponent: f64) -> String {
     match bound(exponent).as_str() {
         "0" => "1".into(),
         "1" => "h".into(),
-        text => format!("h{}", superscript(text)),
+        text if text.chars().all(|c| c.is_ascii_digit()) => format!("h{}", superscript(text)),
+        text => format!("h^{{{text}}}"),
     }
 }
 
-/// Digits, sign, point and fraction bar raised.
+/// Digits and sign raised, for whole exponents.
 pub fn superscript(text: &str) -> String {
     const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
     text.chars()
         .map(|c| match c {
             '0'..='9' => DIGITS[c as usize - '0' as usize],
             '-' => '⁻',
-            '/' => 'ᐟ',
-            '.' => '·',
             other => other,
         })
         .collect()
+}
+
+/// `level 3`, `levels 0–6`.
+pub fn level_words(numbers: &[usize]) -> String {
+    let word = if numbers.len() == 1 {
+        "level"
+    } else {
+        "levels"
+    };
+    format!("{word} {}", levels(numbers))
 }
 
 /// Levels as ranges: `2–5`, `0, 2–4`.
@@ -135,10 +144,10 @@ mod tests {
     fn bounds_read_as_fractions() {
         for (x, text, order_text) in [
             (1.0, "1", "O(h)"),
-            (0.75, "3/4", "O(h³ᐟ⁴)"),
-            (1.5, "3/2", "O(h³ᐟ²)"),
+            (0.75, "3/4", "O(h^{3/4})"),
+            (1.5, "3/2", "O(h^{3/2})"),
             (2.0, "2", "O(h²)"),
-            (0.72, "0.72", "O(h⁰·⁷²)"),
+            (0.72, "0.72", "O(h^{0.72})"),
             (0.0, "0", "O(1)"),
         ] {
             assert_eq!(bound(x), text);

@@ -135,9 +135,9 @@ fn bounds_table(record: &StudyRecord, observed: Option<&Rate>) -> Table {
 /// The window and the quality of the fit, in a sentence.
 fn fit_words(rate: &Rate) -> String {
     format!(
-        "Fitted over levels {}: standard error {}, R² {:.6}, change of the pairwise rate per level {}; \
+        "Fitted over {}: standard error {}, R² {:.6}, change of the pairwise rate per level {}; \
          against dofs^(−1/2) the slope is {}.\n",
-        format::levels(&rate.levels),
+        format::level_words(&rate.levels),
         format::significant(rate.stderr, 2),
         rate.r2,
         format::rate(rate.curvature),

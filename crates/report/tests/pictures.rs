@@ -106,8 +106,8 @@ fn ledger_sums_its_terms_and_squares_the_bound() -> Result<(), &'static str> {
         return Err("a term is missing");
     };
     assert!((sum - (a + b)).abs() < 1e-15);
-    assert_eq!(chart.slopes[0].label, "O(h³ᐟ²)");
-    assert!(chart.subtitle[1].contains("holds on level 0–6"));
+    assert_eq!(chart.slopes[0].label, "O(h^{3/2})");
+    assert!(chart.subtitle[1].contains("holds on levels 0–6"));
     Ok(())
 }
 
@@ -121,7 +121,7 @@ fn greyed_levels_and_zero_terms_are_said() -> Result<(), &'static str> {
     let grey = |m: &plot::Mark| m.kind == plot::MarkKind::Greyed;
     assert_eq!(rates.curves[0].marks.iter().filter(|m| grey(m)).count(), 2);
     assert!(
-        rates.remarks[0].contains("level 5–6: reference contamination"),
+        rates.remarks[0].contains("levels 5–6: reference contamination"),
         "{:?}",
         rates.remarks
     );
@@ -131,12 +131,12 @@ fn greyed_levels_and_zero_terms_are_said() -> Result<(), &'static str> {
         ledger
             .remarks
             .iter()
-            .any(|r| r.contains("b is zero on level 0–6")),
+            .any(|r| r.contains("b is zero on levels 0–6")),
         "{:?}",
         ledger.remarks
     );
     assert!(
-        ledger.subtitle[1].contains("BROKEN on level 2, 5"),
+        ledger.subtitle[1].contains("BROKEN on levels 2, 5"),
         "{:?}",
         ledger.subtitle
     );

@@ -12,7 +12,7 @@ pub(crate) struct LogRange {
 }
 
 /// Least extent of an axis in decades, so that equal values still have ticks about them.
-const LEAST: f64 = 0.3;
+const LEAST: f64 = 0.8;
 
 impl LogRange {
     /// The range of positive finite values, widened by `pad` of itself on each side; `None` without a value.
@@ -56,8 +56,6 @@ pub(crate) struct Tick {
 const ENOUGH: usize = 3;
 /// More ticks than these are noise.
 const PLENTY: usize = 12;
-/// Ticks of a range too narrow for 1, 2, 5.
-const SPARE: usize = 6;
 
 /// Ticks for an axis of `length` pixels. `extent` is the room a label takes along the axis; between two labels at
 /// least `gap` pixels stay free.
@@ -92,28 +90,31 @@ fn regular(range: LogRange) -> Vec<Vec<(f64, i32)>> {
     sets
 }
 
-/// Numbers of one decimal, the roundest first, each where it still fits: for ranges that hold few of 1, 2, 5 × 10^k.
+/// Numbers of one decimal, each where it still fits, for ranges that hold few of 1, 2, 5 × 10^k: the roundest first,
+/// and no rounder group is left half used once there are enough.
 fn filled(range: LogRange, fits: impl Fn(&[Tick]) -> bool) -> Vec<Tick> {
     let tenths: Vec<f64> = (10..100).map(|m| f64::from(m) / 10.0).collect();
-    let roundest: [&[f64]; 6] = [
+    let rounder: [&[f64]; 6] = [
         &[1.0],
         &[5.0],
         &[2.0],
         &[3.0, 7.0],
         &[1.5, 4.0, 6.0, 8.0],
-        &tenths,
+        &[1.2, 1.7, 2.5, 3.5, 4.5, 5.5, 6.5, 9.0],
     ];
     let mut chosen: Vec<(f64, i32)> = Vec::new();
-    for number in roundest
-        .iter()
-        .flat_map(|mantissas| within(range, mantissas, 1))
-    {
-        let mut more = chosen.clone();
-        more.push(number);
-        more.sort_by(|a, b| a.1.cmp(&b.1).then(a.0.total_cmp(&b.0)));
-        more.dedup();
-        if more.len() <= SPARE && fits(&labelled(more.clone())) {
-            chosen = more;
+    for mantissas in rounder.into_iter().chain([tenths.as_slice()]) {
+        if chosen.len() >= ENOUGH {
+            break;
+        }
+        for number in within(range, mantissas, 1) {
+            let mut more = chosen.clone();
+            more.push(number);
+            more.sort_by(|a, b| a.1.cmp(&b.1).then(a.0.total_cmp(&b.0)));
+            more.dedup();
+            if fits(&labelled(more.clone())) {
+                chosen = more;
+            }
         }
     }
     labelled(chosen)
@@ -163,6 +164,9 @@ fn decimal_label(m: f64, k: i32) -> String {
 
 /// `10⁻³`, `2·10⁻³`
 fn power_label(m: f64, k: i32) -> String {
+    if k == 0 {
+        return format!("{m}");
+    }
     let power = format!("10{}", superscript(&k.to_string()));
     if m == 1.0 {
         power
@@ -247,7 +251,7 @@ mod tests {
             low: 0.0,
             high: 0.0,
         });
-        assert!((range.decades() - 0.3).abs() < 1e-12, "{range:?}");
+        assert!((range.decades() - LEAST).abs() < 1e-12, "{range:?}");
         assert!((range.share(0.5) - 0.5).abs() < 1e-12);
         assert_eq!(
             LogRange::around([0.0, f64::NAN, -1.0].into_iter(), 0.05),

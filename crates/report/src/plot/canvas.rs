@@ -93,7 +93,7 @@ impl<DB: DrawingBackend> Canvas<DB> {
         Ok(())
     }
 
-    /// One line of text, its lower-case baseline `0.36 size` below `at`, so that capitals are centred on it.
+    /// One line of text, its capitals centred on `at`; what stands in `^{…}` is raised.
     pub fn text(
         &self,
         text: &str,
@@ -102,21 +102,37 @@ impl<DB: DrawingBackend> Canvas<DB> {
         size: f64,
         colour: Colour,
     ) -> Result<(), ReportError> {
-        let shift = match anchor {
-            Anchor::Left => 0.0,
-            Anchor::Centre => -0.5 * self.text_width(text, size)?,
-            Anchor::Right => -self.text_width(text, size)?,
+        let width = self.text_width(text, size)?;
+        let mut x = match anchor {
+            Anchor::Left => at.0,
+            Anchor::Centre => at.0 - 0.5 * width,
+            Anchor::Right => at.0 - width,
         };
+        for run in runs(text) {
+            let (size, raise) = run.size(size);
+            self.plain_text(run.text, (x, at.1 - raise), size, colour)?;
+            x += self.plain_width(run.text, size)?;
+        }
+        Ok(())
+    }
+
+    fn plain_text(&self, text: &str, at: At, size: f64, colour: Colour) -> Result<(), ReportError> {
         // plotters draws the baseline half a size below the point; capitals reach 0.63 sizes above it.
-        let lift = 0.19 * size;
-        let dots = self.dot((at.0 + shift, at.1 - lift));
+        let dots = self.dot((at.0, at.1 - 0.19 * size));
         let colour = rgb(colour);
         let style = font(size * self.scale).color(&colour);
         self.area.draw_text(text, &style, dots).map_err(refused)
     }
 
-    /// Pixels that a line of text takes.
+    /// Pixels that a line of text takes, with its raised parts.
     pub fn text_width(&self, text: &str, size: f64) -> Result<f64, ReportError> {
+        let widths = runs(text)
+            .into_iter()
+            .map(|run| self.plain_width(run.text, run.size(size).0));
+        widths.sum()
+    }
+
+    fn plain_width(&self, text: &str, size: f64) -> Result<f64, ReportError> {
         let style = font(size * self.scale);
         let (width, _) = self
             .area
@@ -155,6 +171,49 @@ impl<DB: DrawingBackend> Canvas<DB> {
         let dot = |x: f64| (x * self.scale).round() as i32;
         (dot(at.0), dot(at.1))
     }
+}
+
+/// A part of a line of text.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Run<'a> {
+    text: &'a str,
+    raised: bool,
+}
+
+impl Run<'_> {
+    /// Size of the text and by how many pixels it is raised.
+    fn size(&self, size: f64) -> (f64, f64) {
+        if self.raised {
+            (0.72 * size, 0.3 * size)
+        } else {
+            (size, 0.0)
+        }
+    }
+}
+
+/// The line cut at `^{…}`.
+fn runs(line: &str) -> Vec<Run<'_>> {
+    let mut runs = Vec::new();
+    let mut rest = line;
+    while let Some((before, (inside, after))) = rest
+        .split_once("^{")
+        .and_then(|(before, tail)| Some((before, tail.split_once('}')?)))
+    {
+        runs.push(Run {
+            text: before,
+            raised: false,
+        });
+        runs.push(Run {
+            text: inside,
+            raised: true,
+        });
+        rest = after;
+    }
+    runs.push(Run {
+        text: rest,
+        raised: false,
+    });
+    runs
 }
 
 fn font(size: f64) -> TextStyle<'static> {
@@ -198,4 +257,25 @@ fn use_embedded_font() -> Result<(), ReportError> {
 
 fn refused(error: impl std::fmt::Display) -> ReportError {
     ReportError::Picture(error.to_string())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn exponents_are_cut_out() {
+        let parts = |line| {
+            runs(line)
+                .iter()
+                .map(|r| (r.text, r.raised))
+                .collect::<Vec<_>>()
+        };
+        assert_eq!(
+            parts("O(h^{3/4})"),
+            [("O(h", false), ("3/4", true), (")", false)]
+        );
+        assert_eq!(parts("plain"), [("plain", false)]);
+        assert_eq!(parts("open ^{end"), [("open ^{end", false)]);
+    }
 }

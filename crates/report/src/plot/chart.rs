@@ -88,8 +88,17 @@ pub struct Curve {
     pub shape: Shape,
     /// Whether the curve is drawn strong; the others are thin.
     pub strong: bool,
+    /// Whether the claim is about this curve, so that the bounds stand near it.
+    pub judged: bool,
     /// The values, in the order of the levels.
     pub marks: Vec<Mark>,
+}
+
+impl Curve {
+    /// Whether two mesh sizes differ, without which no slope can be seen.
+    pub fn has_slope(&self) -> bool {
+        self.marks.windows(2).any(|pair| pair[0].h != pair[1].h)
+    }
 }
 
 /// A fitted line with its 95 % band: `log e = intercept + slope log h`, natural logarithms.
@@ -138,7 +147,7 @@ impl Band {
 pub struct Slope {
     /// The exponent of `h`.
     pub exponent: f64,
-    /// The order, e.g. `O(h)`.
+    /// The order, e.g. `O(h)`, `O(h^{3/4})`.
     pub label: String,
     /// Whose bound, e.g. `paper, today`.
     pub source: String,

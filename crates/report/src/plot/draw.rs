@@ -1,6 +1,6 @@
 //! Draws a [`Chart`]: axes, fitted lines, curves with labels at their ends, slope triangles, words.
 
-use super::axis::{LogRange, ticks};
+use super::axis::{LogRange, Tick, ticks};
 use super::canvas::{Anchor, Canvas};
 use super::chart::{Band, Chart, Colour, Curve};
 use super::encode::{HEIGHT, WIDTH};
@@ -54,7 +54,9 @@ fn heading<DB: DrawingBackend>(chart: &Chart, canvas: &Canvas<DB>) -> Result<f64
     canvas.text(&title, (MARGIN, 40.0), Anchor::Left, TITLE, Colour::Black)?;
     let mut y = 40.0 + 1.3 * LEADING;
     for line in &chart.subtitle {
-        for part in canvas.wrap(line, TEXT, width)?.into_iter().take(2) {
+        let parts = canvas.wrap(line, TEXT, width)?;
+        let parts = ended(canvas, parts, 2, width)?;
+        for part in parts {
             canvas.text(&part, (MARGIN, y), Anchor::Left, TEXT, Colour::Black)?;
             y += LEADING;
         }
@@ -76,16 +78,29 @@ fn remarks<DB: DrawingBackend>(chart: &Chart, canvas: &Canvas<DB>) -> Result<f64
     for remark in &chart.remarks {
         lines.extend(canvas.wrap(remark, TEXT, width)?);
     }
-    if lines.len() > 4 {
-        lines.truncate(4);
-        lines[3] = canvas.cut(&format!("{} …", lines[3]), TEXT, width)?;
-    }
+    let lines = ended(canvas, lines, 4, width)?;
     let top = f64::from(HEIGHT) - MARGIN - LEADING * lines.len() as f64 + 0.5 * LEADING;
     for (i, line) in lines.iter().enumerate() {
         let at = (MARGIN, top + i as f64 * LEADING);
         canvas.text(line, at, Anchor::Left, TEXT, Colour::Grey)?;
     }
     Ok(top - 3.1 * LEADING)
+}
+
+/// The first `most` lines, with `…` if there are more.
+fn ended<DB: DrawingBackend>(
+    canvas: &Canvas<DB>,
+    mut lines: Vec<String>,
+    most: usize,
+    width: f64,
+) -> Result<Vec<String>, ReportError> {
+    if lines.len() > most {
+        lines.truncate(most);
+        if let Some(last) = lines.last_mut() {
+            *last = canvas.cut(&format!("{last} …"), TEXT, width)?;
+        }
+    }
+    Ok(lines)
 }
 
 /// The frame between the words, with room for the ticks at its left and the curves' labels at its right.
@@ -108,14 +123,23 @@ fn frame<DB: DrawingBackend>(
         }
     }
     let right = f64::from(WIDTH) - MARGIN - (widest + LEADER).min(0.45 * f64::from(WIDTH));
+    let mut scale: f64 = 0.0;
+    for tick in y_ticks(y, bottom - top) {
+        scale = scale.max(canvas.text_width(&tick.label, TEXT)?);
+    }
+    let left = MARGIN + scale + 14.0;
     Ok(Some(Frame {
-        left: MARGIN + 100.0,
+        left,
         right,
         top,
         bottom,
         x,
         y,
     }))
+}
+
+fn y_ticks(range: LogRange, height: f64) -> Vec<Tick> {
+    ticks(range, height, 14.0, |_| TEXT)
 }
 
 fn axes<DB: DrawingBackend>(chart: &Chart, canvas: &Canvas<DB>, frame: &Frame) -> Drawn {
@@ -140,7 +164,7 @@ fn axes<DB: DrawingBackend>(chart: &Chart, canvas: &Canvas<DB>, frame: &Frame) -
             Colour::Black,
         )?;
     }
-    for tick in ticks(y, frame.height(), 14.0, |_| TEXT) {
+    for tick in y_ticks(y, frame.height()) {
         let at = bottom - y.share(tick.value) * frame.height();
         canvas.line(&[(left, at), (right, at)], Colour::Pale, 1.0, 1.0)?;
         canvas.line(&[(left - 7.0, at), (left, at)], Colour::Black, 1.0, 1.0)?;
@@ -242,13 +266,14 @@ fn labels<DB: DrawingBackend>(chart: &Chart, canvas: &Canvas<DB>, frame: &Frame)
 
 /// The bounds as slope triangles, in the free space nearest to the strong curves.
 fn triangles<DB: DrawingBackend>(chart: &Chart, canvas: &Canvas<DB>, frame: &Frame) -> Drawn {
-    let lines = |strong: bool| {
-        let curves = chart.curves.iter().filter(move |c| c.strong || !strong);
-        curves
-            .flat_map(|c| along(&pixels(c, frame), 6.0))
-            .collect::<Vec<_>>()
-    };
-    let (mut obstacles, near) = (lines(false), lines(true));
+    let path = |c: &Curve| along(&pixels(c, frame), 6.0);
+    let mut obstacles: Vec<_> = chart.curves.iter().flat_map(path).collect();
+    let near: Vec<_> = chart
+        .curves
+        .iter()
+        .filter(|c| c.judged)
+        .flat_map(path)
+        .collect();
     for slope in &chart.slopes {
         let triangle = Triangle::new(slope.exponent, frame);
         let words = canvas

@@ -64,6 +64,7 @@ pub fn ledger(record: &StudyRecord) -> Option<Chart> {
     if curves.is_empty() {
         return None;
     }
+    let sloped = curves.iter().any(Curve::has_slope);
     Some(Chart {
         title: format!("{}: ledger", name(record)),
         subtitle: vec![record.title.clone(), inequality(record, polygonal)],
@@ -71,7 +72,11 @@ pub fn ledger(record: &StudyRecord) -> Option<Chart> {
         y_label: "terms, squares of the energy norm".into(),
         curves,
         bands: Vec::new(),
-        slopes: vec![slope(record)],
+        slopes: if sloped {
+            vec![slope(record)]
+        } else {
+            Vec::new()
+        },
         remarks: remarks(record, polygonal),
     })
 }
@@ -103,6 +108,7 @@ fn curve(record: &StudyRecord, term: &Term, polygonal: bool) -> Option<Curve> {
         colour: term.colour,
         shape: term.shape,
         strong: term.strong,
+        judged: term.strong,
         marks,
     })
 }
@@ -129,7 +135,7 @@ fn inequality(record: &StudyRecord, polygonal: bool) -> String {
             .filter(|(_, l)| l.holds == *wanted)
             .map(|(l, _)| l.level)
             .collect();
-        (!found.is_empty()).then(|| format!("{words} on level {}", format::levels(&found)))
+        (!found.is_empty()).then(|| format!("{words} on {}", format::level_words(&found)))
     });
     format!("½A(e,e) ≤ {sum}: {}", parts.collect::<Vec<_>>().join(", "))
 }
@@ -168,9 +174,9 @@ fn remarks(record: &StudyRecord, polygonal: bool) -> Vec<String> {
             .collect();
         if !zero.is_empty() {
             remarks.push(format!(
-                "Not drawn: {} is zero on level {}.",
+                "Not drawn: {} is zero on {}.",
                 term.words,
-                format::levels(&zero)
+                format::level_words(&zero)
             ));
         }
     }

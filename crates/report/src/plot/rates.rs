@@ -25,12 +25,12 @@ pub fn rates(record: &StudyRecord) -> Option<Chart> {
         title: name(record),
         subtitle: vec![record.title.clone(), outcome(record)],
         x_label: "mesh size h (largest side)".into(),
-        y_label: "error".into(),
+        y_label: "error norms, e = u − uₕ".into(),
         bands: judged_curve
             .iter()
             .filter_map(|c| band(record, c.colour))
             .collect(),
-        slopes: if judged_curve.is_some() {
+        slopes: if judged_curve.is_some_and(|c| c.has_slope()) {
             slopes(record)
         } else {
             Vec::new()
@@ -63,6 +63,7 @@ fn curve(record: &StudyRecord, norm: &Norm) -> Option<Curve> {
         colour,
         shape,
         strong: judged || matches!(norm.key, "strain" | "energy"),
+        judged,
         marks,
     })
 }
@@ -166,9 +167,9 @@ fn remarks(record: &StudyRecord) -> Vec<String> {
     let missing = record.levels.iter().filter(|l| mark(l, norm).is_none());
     let missing: Vec<usize> = missing.map(|l| l.level).collect();
     if !missing.is_empty() {
-        let levels = format::levels(&missing);
+        let levels = format::level_words(&missing);
         remarks.push(format!(
-            "Not drawn, zero or without a value: {} on level {levels}.",
+            "Not drawn, zero or without a value: {} on {levels}.",
             norm.label()
         ));
     }
@@ -189,8 +190,8 @@ pub(super) fn excluded(record: &StudyRecord) -> Vec<String> {
     }
     let words = |(why, levels): (&str, Vec<usize>)| {
         format!(
-            "Grey, left out of the fit: level {}: {why}.",
-            format::levels(&levels)
+            "Grey, left out of the fit: {}: {why}.",
+            format::level_words(&levels)
         )
     };
     groups.into_iter().map(words).collect()

@@ -5,8 +5,8 @@ use super::frame::Frame;
 /// Width asked for, and what the height may be, in pixels.
 const WIDTH: f64 = 120.0;
 const HIGHEST: f64 = 190.0;
-const LOWEST: f64 = 40.0;
-const WIDEST: f64 = 260.0;
+const LOWEST: f64 = 34.0;
+const WIDEST: f64 = 200.0;
 
 /// A right triangle, its hypotenuse along the slope: `foot` at the left, the right angle below or above its other end.
 #[derive(Clone, Copy, Debug, PartialEq)]
