@@ -4,6 +4,7 @@
 
 pub mod claim;
 pub mod exact;
+pub mod expr;
 pub mod family;
 pub mod record;
 pub mod study;

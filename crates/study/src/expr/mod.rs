@@ -1,0 +1,85 @@
+//! The expression language of study files: a text in a few variables, evaluated with or without derivatives.
+//!
+//! ```text
+//! condition := both { "or" both }                 both  := negation { "and" negation }
+//! negation  := "not" negation | comparison        comparison := sum [ ("<" | "<=" | ">" | ">=" | "==" | "!=") sum ]
+//! sum       := term { ("+" | "-") term }          term  := sign { ("*" | "/") sign }
+//! sign      := ("-" | "+") sign | power           power := primary [ "^" sign ]
+//! primary   := number | name | name "(" arguments ")" | "(" condition ")"
+//! ```
+//!
+//! So `-x^2 = -(x^2)`, `2^3^2 = 2^(3^2)` and `2^-1` is allowed. `if(condition, a, b)` evaluates only the branch taken.
+//!
+//! ```
+//! use signorini_study::expr::Expression;
+//! use std::collections::BTreeMap;
+//!
+//! let s = BTreeMap::from([("s".to_string(), 0.25)]);
+//! let gap = Expression::parse("pos(x - s)^3", &["x", "y"], &s).unwrap();
+//! assert_eq!(gap.eval(&[0.75, 0.0]), 0.125);
+//!
+//! let wrong = Expression::parse("sqr(x)", &["x", "y"], &s).unwrap_err();
+//! assert!(wrong.to_string().contains("did you mean `sqrt`"));
+//! ```
+
+mod error;
+mod functions;
+mod lexer;
+mod nearest;
+mod parser;
+mod scalar;
+#[cfg(test)]
+mod tests;
+mod tree;
+
+pub use error::ExprError;
+pub use nearest::nearest;
+pub use scalar::{Real, atan2, positive_power, power, sqrt};
+
+use std::collections::BTreeMap;
+
+/// A parsed expression in named variables, its parameters already replaced by their values.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Expression {
+    text: String,
+    variables: usize,
+    root: tree::Node,
+}
+
+impl Expression {
+    /// Parses `text` in the given variables. A name stands for a variable, else a parameter, else a constant (`pi`, `e`).
+    ///
+    /// # Errors
+    /// The first thing that makes no sense, with its column.
+    pub fn parse(
+        text: &str,
+        variables: &[&str],
+        parameters: &BTreeMap<String, f64>,
+    ) -> Result<Self, ExprError> {
+        let root = parser::parse(text, variables, parameters)?;
+        Ok(Self {
+            text: text.to_string(),
+            variables: variables.len(),
+            root,
+        })
+    }
+
+    /// The value at `variables`, in the order in which they were named; outside the domain of a function it is NaN.
+    ///
+    /// # Panics
+    /// If fewer values are given than variables were named.
+    pub fn eval<D: Real>(&self, variables: &[D]) -> D {
+        assert!(
+            variables.len() >= self.variables,
+            "{} values for {} variables",
+            variables.len(),
+            self.variables
+        );
+        self.root.eval(variables)
+    }
+
+    /// The text that was parsed.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+}

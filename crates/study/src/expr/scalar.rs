@@ -1,0 +1,187 @@
+//! Numbers that carry derivatives, and the functions whose derivatives need care at the edge of their domain.
+
+use nalgebra::{Matrix1x2, Matrix2, Vector2};
+use num_dual::{Derivative, Dual2SVec64, DualNum, DualSVec64, DualStruct};
+
+/// A number with no, first, or first and second derivatives in the plane.
+pub trait Real: DualNum<Primitive = f64> + DualStruct<Real = f64> + Copy + Send + Sync {
+    /// `f(self)`, given `f`, `f'` and `f''` at the value of `self`. A derivative that is infinite there stays out of
+    /// the directions in which `self` does not move: `0 · ∞` counts as 0.
+    #[must_use]
+    fn chain(self, f0: f64, f1: f64, f2: f64) -> Self;
+}
+
+impl Real for f64 {
+    fn chain(self, f0: f64, _: f64, _: f64) -> Self {
+        f0
+    }
+}
+
+impl Real for DualSVec64<2> {
+    #[inline]
+    fn chain(self, f0: f64, f1: f64, _: f64) -> Self {
+        // ∂_i f = f' ∂_i x
+        let eps = self
+            .eps
+            .0
+            .map(|v| Vector2::new(times(v[0], f1), times(v[1], f1)));
+        Self::new(f0, Derivative::new(eps))
+    }
+}
+
+impl Real for Dual2SVec64<2> {
+    #[inline]
+    fn chain(self, f0: f64, f1: f64, f2: f64) -> Self {
+        let Some(v) = self.v1.0 else {
+            return Self::from_re(f0);
+        };
+        let first = Matrix1x2::new(times(v[0], f1), times(v[1], f1));
+        // ∂_i ∂_j f = f'' ∂_i x ∂_j x + f' ∂_i ∂_j x
+        let h = self.v2.0.unwrap_or_else(Matrix2::zeros);
+        let entry = |i: usize, j: usize| times(v[i] * v[j], f2) + times(h[(i, j)], f1);
+        let mixed = entry(0, 1);
+        let second = Matrix2::new(entry(0, 0), mixed, mixed, entry(1, 1));
+        Self::new(f0, Derivative::some(first), Derivative::some(second))
+    }
+}
+
+#[inline]
+fn times(a: f64, f: f64) -> f64 {
+    if a == 0.0 { 0.0 } else { a * f }
+}
+
+/// `√x`; at 0 the derivatives are infinite.
+#[inline]
+pub fn sqrt<D: Real>(x: D) -> D {
+    let root = x.re().sqrt();
+    let slope = 0.5 / root;
+    let bend = if x.re() == 0.0 {
+        f64::NEG_INFINITY
+    } else {
+        -0.5 * slope / x.re()
+    };
+    x.chain(root, slope, bend)
+}
+
+/// `x^n` for a constant `n`, with its true value and derivatives at `x = 0`, infinite where they are. A negative base
+/// needs a whole `n`, else the result is NaN.
+#[inline]
+pub fn power<D: Real>(x: D, n: f64) -> D {
+    let t = x.re();
+    if n.fract() == 0.0 && n.abs() <= 1024.0 {
+        let n = n as i32;
+        let (c1, c2) = (f64::from(n), f64::from(n) * f64::from(n - 1));
+        x.chain(
+            t.powi(n),
+            coefficient(c1, || t.powi(n - 1)),
+            coefficient(c2, || t.powi(n - 2)),
+        )
+    } else if t > 0.0 {
+        // f' = n f/x, f'' = (n−1) f'/x: one call of the library's power in place of three.
+        let f0 = t.powf(n);
+        let f1 = n * f0 / t;
+        x.chain(f0, f1, (n - 1.0) * f1 / t)
+    } else {
+        let (c1, c2) = (n, n * (n - 1.0));
+        x.chain(
+            t.powf(n),
+            coefficient(c1, || t.powf(n - 1.0)),
+            coefficient(c2, || t.powf(n - 2.0)),
+        )
+    }
+}
+
+/// `c f`, but 0 for `c = 0` whatever `f` would be.
+#[inline]
+fn coefficient(c: f64, f: impl Fn() -> f64) -> f64 {
+    if c == 0.0 { 0.0 } else { c * f() }
+}
+
+/// `(x)_+^n`; zero with all its derivatives for `x ≤ 0`.
+#[inline]
+pub fn positive_power<D: Real>(x: D, n: f64) -> D {
+    if x.re() > 0.0 {
+        power(x, n)
+    } else {
+        D::from(0.0)
+    }
+}
+
+/// The angle of `(x, y)` in `[−π, π]`. The sign of a zero `y` does not count: on the negative axis the angle is `π`.
+pub fn atan2<D: Real>(y: D, x: D) -> D {
+    let (b, a) = (y.re() + 0.0, x.re());
+    let angle = b.atan2(a);
+    if a == 0.0 && b == 0.0 {
+        return (y + x).chain(angle, f64::NAN, f64::NAN);
+    }
+    // Divide by the larger of the two and shift the value to the right branch.
+    let turned = if a.abs() >= b.abs() {
+        (y / x).atan()
+    } else {
+        -(x / y).atan()
+    };
+    turned + (angle - turned.re())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn variable(x: f64) -> Dual2SVec64<2> {
+        Dual2SVec64::from_re(x).derivative(0)
+    }
+
+    fn parts(d: Dual2SVec64<2>) -> (f64, f64, f64) {
+        let v1 = d.v1.0.unwrap_or_else(Matrix1x2::zeros);
+        let v2 = d.v2.0.unwrap_or_else(Matrix2::zeros);
+        assert_eq!((v1[1], v2[(0, 1)], v2[(1, 1)]), (0.0, 0.0, 0.0));
+        (d.re, v1[0], v2[(0, 0)])
+    }
+
+    #[test]
+    fn powers_at_zero_have_their_limits() {
+        let inf = f64::INFINITY;
+        for (n, expected) in [
+            (0.0, (1.0, 0.0, 0.0)),
+            (1.0, (0.0, 1.0, 0.0)),
+            (2.0, (0.0, 0.0, 2.0)),
+            (3.0, (0.0, 0.0, 0.0)),
+            (0.5, (0.0, inf, -inf)),
+            (1.5, (0.0, 0.0, inf)),
+            (2.5, (0.0, 0.0, 0.0)),
+            (-1.0, (inf, -inf, inf)),
+        ] {
+            assert_eq!(parts(power(variable(0.0), n)), expected, "x^{n}");
+        }
+        assert_eq!(parts(sqrt(variable(0.0))), (0.0, inf, -inf));
+    }
+
+    #[test]
+    fn powers_agree_with_the_known_derivatives() {
+        for n in [-2.0, -0.5, 0.3, 1.0, 1.5, 2.0, 3.0, 7.25] {
+            let (f0, f1, f2) = parts(power(variable(1.7), n));
+            let t = 1.7f64;
+            assert!((f0 - t.powf(n)).abs() < 1e-14 * f0.abs());
+            assert!((f1 - n * t.powf(n - 1.0)).abs() <= 1e-14 * f1.abs());
+            assert!((f2 - n * (n - 1.0) * t.powf(n - 2.0)).abs() <= 1e-13 * f2.abs());
+        }
+        assert_eq!(
+            parts(power(variable(-2.0), 3.0)),
+            (-8.0, 12.0, -12.0),
+            "whole exponents take a negative base"
+        );
+        assert!(power(-2.0, 0.5).is_nan());
+    }
+
+    #[test]
+    fn the_angle_keeps_to_one_branch_and_has_its_derivatives_on_the_axes() {
+        assert_eq!(atan2(-0.0, -1.0), std::f64::consts::PI);
+        for (a, b) in [(1.0, 0.0), (0.0, 2.0), (-3.0, 0.0), (0.0, -0.5), (0.3, 0.4)] {
+            let x = DualSVec64::<2>::from_re(a).derivative(0);
+            let y = DualSVec64::<2>::from_re(b).derivative(1);
+            let d = atan2(y, x).eps.0.unwrap();
+            let r2 = a * a + b * b;
+            assert!((d[0] + b / r2).abs() < 1e-15 && (d[1] - a / r2).abs() < 1e-15);
+        }
+    }
+}
