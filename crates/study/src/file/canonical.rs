@@ -1,0 +1,96 @@
+//! The text that stands for a resolved case: everything that can change a number or the verdict, and nothing else.
+//!
+//! Titles, questions, names and the layout of the file stay out: rewording a study keeps its baseline. Numbers are printed
+//! with the fewest digits that read back the same.
+
+use super::layer::Layer;
+use super::raw::{RawBoundary, RawExact, RawField};
+use crate::claim::Claim;
+use crate::study::{Block, Case};
+use signorini_contact::{Material, Point};
+use std::fmt::Write;
+
+/// One line per fact, in a fixed order.
+pub fn text(case: &Case, layer: &Layer<'_>, claim: &Claim) -> String {
+    let mut lines = Lines(String::new());
+    bodies(&mut lines, case, layer);
+    for (raw, part) in layer.boundary.unwrap_or_default().iter().zip(&case.scene.parts) {
+        lines.put("part", format!("{:?} {} {}", part.body, points(&part.along), condition(raw)));
+    }
+    lines.put("contact", points(&case.scene.contact));
+    if let (Some(raw), Some(exact)) = (layer.exact, &case.scene.exact) {
+        lines.put("exact", solution(raw.get_ref()));
+        lines.put("exact materials", format!("{} {}", law(&exact.materials[0]), law(&exact.materials[1])));
+    }
+    lines.put("parameters", format!("{:?}", layer.parameters));
+    lines.put("family", format!("{:?}", case.family));
+    lines.put("levels", format!("{:?} {:?}", case.quick, case.full));
+    lines.put("reference", format!("{:?}", case.reference));
+    lines.put("solver", format!("{:?}", case.solver));
+    lines.put("claim", format!("{} {:?} {}", claim.id, claim.kind, claim.norm));
+    lines.put("gates", format!("{:?} {:?} {}", case.gates, case.bounds, case.expected_is_asymptotic));
+    lines.put("fixed quadrature", case.fixed_quadrature.to_string());
+    lines.put("expect", format!("{:?} {}", case.expect, case.inconclusive_at_quick.is_some()));
+    lines.0
+}
+
+/// FNV-1a, 64 bits.
+pub fn fnv1a(bytes: &[u8]) -> u64 {
+    bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3))
+}
+
+struct Lines(String);
+
+impl Lines {
+    fn put(&mut self, key: &str, value: impl AsRef<str>) {
+        // Writing to a String cannot fail.
+        let _ = writeln!(self.0, "{key}: {}", value.as_ref());
+    }
+}
+
+fn bodies(lines: &mut Lines, case: &Case, layer: &Layer<'_>) {
+    for (i, raw) in layer.body.unwrap_or_default().iter().enumerate() {
+        for Block { corners, divisions } in &case.scene.bodies[i].blocks {
+            lines.put("block", format!("{} {divisions:?}", points(corners)));
+        }
+        lines.put("material", law(&case.scene.materials[i]));
+        lines.put("force", raw.get_ref().force.as_ref().map_or("from the exact solution, or none".into(), field));
+    }
+}
+
+fn condition(raw: &RawBoundary) -> String {
+    let value = raw.value.as_ref().map_or("-".into(), |v| field(v.get_ref()));
+    format!("{:?} {value}", raw.condition.get_ref())
+}
+
+fn solution(raw: &RawExact) -> String {
+    let text = |f: &Option<RawField>| f.as_ref().map_or("-".into(), field);
+    let name = raw.builtin.as_ref().map_or("-", |n| n.get_ref().as_str());
+    let (first, second) = (text(&raw.first), text(&raw.second));
+    format!("{name} {first} {second} {:?} {:?} {:?}", raw.singular, raw.breaks, raw.switches)
+}
+
+fn field(raw: &RawField) -> String {
+    format!("{:?} {:?}", raw[0].get_ref(), raw[1].get_ref())
+}
+
+fn points(points: &[Point]) -> String {
+    points.iter().map(|p| format!("({:?}, {:?})", p.x, p.y)).collect()
+}
+
+fn law(material: &Material) -> String {
+    format!("{:?}", material.matrix())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::fnv1a;
+
+    #[test]
+    fn the_hash_is_the_published_one() {
+        // Test vectors of Fowler, Noll and Vo.
+        assert_eq!(fnv1a(b""), 0xcbf2_9ce4_8422_2325);
+        assert_eq!(fnv1a(b"a"), 0xaf63_dc4c_8601_ec8c);
+        assert_eq!(fnv1a(b"foobar"), 0x8594_4171_f739_67e8);
+    }
+}

@@ -1,0 +1,79 @@
+//! The exact solution of a study file: built in by name, or by expressions.
+
+use super::error::{Fault, refuse};
+use super::field::{INSIDE, components};
+use super::formula::Formula;
+use super::raw::{RawExact, RawLame};
+use super::shape::point;
+use super::words::suggestion;
+use crate::exact::{self, Exact};
+use crate::study::ExactScene;
+use signorini_contact::Material;
+use signorini_contact::geometry::Segment;
+use std::collections::BTreeMap;
+use std::sync::Arc;
+use toml::Spanned;
+
+/// The exact solution, with the materials of the scene unless the study plants others.
+pub fn exact(
+    raw: &Spanned<RawExact>,
+    scene: &[Material; 2],
+    parameters: &BTreeMap<String, f64>,
+    control: bool,
+) -> Result<ExactScene, Fault> {
+    let e = raw.get_ref();
+    let materials = match &e.materials {
+        None => *scene,
+        Some(m) if !control => {
+            let next = "leave it to studies with `expect`";
+            return refuse(m.span(), "`materials` of an exact solution other than the bodies' are a planted defect", next);
+        }
+        Some(m) => planted(m)?,
+    };
+    let solution: Arc<dyn Exact> = match (&e.builtin, &e.first, &e.second) {
+        (Some(name), None, None) => built_in(name, e, &materials, parameters)?,
+        (None, Some(first), Some(second)) => Arc::new(Formula {
+            displacement: [components(first, &INSIDE, parameters)?, components(second, &INSIDE, parameters)?],
+            singular: e.singular.iter().map(point).collect(),
+            breaks: e.breaks.iter().map(|[a, b]| Segment { a: point(a), b: point(b) }).collect(),
+            switches: e.switches.iter().map(point).collect(),
+        }),
+        _ => {
+            let message = "[exact] needs either `builtin`, or `first` and `second`";
+            return refuse(raw.span(), message, "name a built-in solution, or give the displacement of both bodies");
+        }
+    };
+    Ok(ExactScene { solution, materials })
+}
+
+fn planted(raw: &Spanned<[RawLame; 2]>) -> Result<[Material; 2], Fault> {
+    let law = |l: &RawLame| {
+        Material::lame(l.lame[0].0, l.lame[1].0)
+            .map_err(|e| Fault::new(raw.span(), e.to_string(), "choose μ > 0 and λ + μ > 0"))
+    };
+    let [first, second] = raw.get_ref();
+    Ok([law(first)?, law(second)?])
+}
+
+fn built_in(
+    name: &Spanned<String>,
+    raw: &RawExact,
+    materials: &[Material; 2],
+    parameters: &BTreeMap<String, f64>,
+) -> Result<Arc<dyn Exact>, Fault> {
+    let word = name.get_ref();
+    if !exact::BUILT_IN.contains(&word.as_str()) {
+        let message = format!("no built-in exact solution `{word}`");
+        return refuse(name.span(), message, suggestion(word, &exact::BUILT_IN));
+    }
+    if !(raw.singular.is_empty() && raw.breaks.is_empty() && raw.switches.is_empty()) {
+        let message = format!("`{word}` knows its own singular points, break lines and switch points");
+        return refuse(name.span(), message, "leave `singular`, `breaks` and `switches` out");
+    }
+    let [Some(first), Some(second)] = [materials[0].lame_constants(), materials[1].lame_constants()] else {
+        let message = format!("`{word}` solves for isotropic bodies only");
+        return refuse(name.span(), message, "give both materials by `lame`, or by `young` and `poisson`");
+    };
+    exact::built_in(word, parameters, [first, second])
+        .map_err(|e| Fault::new(name.span(), e, "give its numbers in [parameters], or in `parameters` of the case"))
+}

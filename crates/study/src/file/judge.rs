@@ -1,0 +1,113 @@
+//! What a case is judged by: the claim, its bounds, the gates.
+
+use super::error::{Fault, refuse};
+use super::number::{Finite, OrNone};
+use super::raw::{RawClaim, RawExpected, RawGates, RawStudy};
+use super::words::suggestion;
+use crate::claim::{self, Claim};
+use crate::record::Bounds;
+use crate::study::Gates;
+use toml::Spanned;
+
+/// Error norms and constants that a claim of a study's own may judge.
+const NORMS: [&str; 9] = [
+    "strain",
+    "energy",
+    "h1",
+    "l2",
+    "pressure_l2",
+    "pressure_dual",
+    "penetration_l2",
+    "contact_set",
+    "b_over_h2",
+];
+
+/// The study's claim: one of the catalogue or its own.
+pub fn claim(raw: &RawStudy) -> Result<Claim, Fault> {
+    match (&raw.claim, &raw.own_claim) {
+        (Some(id), None) => catalogued(id),
+        (None, Some(own)) => own_claim(own.get_ref()),
+        (Some(id), Some(_)) => refuse(id.span(), "both `claim` and `own_claim`", "keep one of them"),
+        (None, None) => refuse(raw.id.span(), "the study claims nothing", "give `claim = \"…\"` or a table [own_claim]"),
+    }
+}
+
+fn catalogued(id: &Spanned<String>) -> Result<Claim, Fault> {
+    claim::find(id.get_ref()).map(claim::Entry::claim).ok_or_else(|| {
+        let known: Vec<&str> = claim::ids().collect();
+        Fault::new(id.span(), format!("no claim `{}` in the catalogue", id.get_ref()), suggestion(id.get_ref(), &known))
+    })
+}
+
+fn own_claim(raw: &RawClaim) -> Result<Claim, Fault> {
+    let norm = raw.norm.get_ref();
+    if !NORMS.contains(&norm.as_str()) {
+        return refuse(raw.norm.span(), format!("no error norm `{norm}`"), suggestion(norm, &NORMS));
+    }
+    let number = |x: Option<Finite>| x.map(|x| x.0);
+    Ok(Claim {
+        id: "own".into(),
+        statement: raw.statement.clone(),
+        hypotheses: raw.hypotheses.clone(),
+        kind: raw.kind,
+        norm: norm.clone(),
+        bounds: Bounds { paper: number(raw.paper), today: number(raw.today), expected: number(raw.expected) },
+        sources: raw.sources.clone(),
+    })
+}
+
+/// The three bounds of a case, and whether the expected rate is only an asymptotic one.
+pub fn bounds(claim: &Bounds, raw: Option<&Spanned<RawExpected>>) -> Result<(Bounds, bool), Fault> {
+    let Some(raw) = raw else { return Ok((claim.clone(), false)) };
+    let e = raw.get_ref();
+    if e.asymptotic_only && e.reason.is_none() {
+        let message = "`asymptotic_only` takes a gate away, so it needs a `reason`";
+        return refuse(raw.span(), message, "say in `reason` why the rate comes late");
+    }
+    let own = |given: Option<OrNone>, claimed: Option<f64>| given.map_or(claimed, |g| g.0);
+    let bounds = Bounds {
+        paper: own(e.paper, claim.paper),
+        today: own(e.today, claim.today),
+        expected: own(e.rate, claim.expected),
+    };
+    Ok((bounds, e.asymptotic_only))
+}
+
+/// The gates, and whether quadrature is fixed. Whatever moves a gate needs a reason; only a control plants a defect.
+pub fn gates(raw: Option<&Spanned<RawGates>>, control: bool) -> Result<(Gates, bool), Fault> {
+    let d = Gates::default();
+    let Some(raw) = raw else { return Ok((d, false)) };
+    let g = raw.get_ref();
+    if g.reason.is_none() {
+        return refuse(raw.span(), "[gates] moves a gate and gives no `reason`", "say why in `reason`");
+    }
+    let fixed = g.fixed_quadrature.as_ref().is_some_and(|f| *f.get_ref());
+    if let (Some(f), false) = (&g.fixed_quadrature, control) {
+        return refuse(f.span(), "`fixed_quadrature` is a planted defect", "leave it to studies with `expect`");
+    }
+    let ceiling = match &g.ceiling {
+        Some(c) => c.get_ref().0.map(|x| between("ceiling", x, c, 0.0, f64::INFINITY)).transpose()?,
+        None => d.ceiling,
+    };
+    let gates = Gates {
+        rate_tolerance: number("rate_tolerance", &g.rate_tolerance, d.rate_tolerance, 0.0, 1.0)?,
+        ceiling,
+        exact_tolerance: number("exact_tolerance", &g.exact_tolerance, d.exact_tolerance, 0.0, 1.0)?,
+        fall: number("fall", &g.fall, d.fall, 0.0, 1.0)?,
+        spread: number("spread", &g.spread, d.spread, 1.0, f64::INFINITY)?,
+        share: number("share", &g.share, d.share, 0.0, 1.0)?,
+    };
+    Ok((gates, fixed))
+}
+
+fn number(name: &str, raw: &Option<Spanned<Finite>>, default: f64, low: f64, high: f64) -> Result<f64, Fault> {
+    raw.as_ref().map_or(Ok(default), |x| between(name, x.get_ref().0, x, low, high))
+}
+
+fn between<T>(name: &str, x: f64, raw: &Spanned<T>, low: f64, high: f64) -> Result<f64, Fault> {
+    if low < x && x < high {
+        return Ok(x);
+    }
+    let bound = if high.is_finite() { format!("lie between {low} and {high}") } else { format!("exceed {low}") };
+    refuse(raw.span(), format!("{name} = {x} must {bound}"), "leave it out to keep the default")
+}

@@ -1,0 +1,84 @@
+//! What a case says, over what the study says.
+
+use super::number::Finite;
+use super::raw::{
+    Expect, RawBody, RawBoundary, RawCase, RawContact, RawExact, RawExpected, RawFamily, RawGates, RawLevels,
+    RawReference, RawSolver, RawStudy,
+};
+use std::collections::BTreeMap;
+use toml::Spanned;
+
+/// The tables that make up a case. A table of the case replaces that of the study as a whole; parameters are merged.
+pub struct Layer<'a> {
+    pub expect: Option<Expect>,
+    pub inconclusive_at_quick: Option<&'a String>,
+    pub parameters: BTreeMap<String, f64>,
+    pub body: Option<&'a [Spanned<RawBody>]>,
+    pub boundary: Option<&'a [RawBoundary]>,
+    pub contact: Option<&'a RawContact>,
+    pub exact: Option<&'a Spanned<RawExact>>,
+    pub family: Option<&'a Spanned<RawFamily>>,
+    pub levels: Option<&'a RawLevels>,
+    pub reference: Option<&'a Spanned<RawReference>>,
+    pub solver: Option<&'a RawSolver>,
+    pub gates: Option<&'a Spanned<RawGates>>,
+    pub expected: Option<&'a Spanned<RawExpected>>,
+}
+
+/// The same fields have the same names in the study and in a case.
+macro_rules! layer_of {
+    ($raw:expr) => {
+        Layer {
+            expect: $raw.expect,
+            inconclusive_at_quick: $raw.inconclusive_at_quick.as_ref(),
+            parameters: numbers($raw.parameters.as_ref()),
+            body: $raw.body.as_deref(),
+            boundary: $raw.boundary.as_deref(),
+            contact: $raw.contact.as_ref(),
+            exact: $raw.exact.as_ref(),
+            family: $raw.family.as_ref(),
+            levels: $raw.levels.as_ref(),
+            reference: $raw.reference.as_ref(),
+            solver: $raw.solver.as_ref(),
+            gates: $raw.gates.as_ref(),
+            expected: $raw.expected.as_ref(),
+        }
+    };
+}
+
+impl<'a> Layer<'a> {
+    /// The study's defaults.
+    pub fn of_study(raw: &'a RawStudy) -> Self {
+        layer_of!(raw)
+    }
+
+    /// A case by itself.
+    pub fn of_case(raw: &'a RawCase) -> Self {
+        layer_of!(raw)
+    }
+
+    /// `self`, with what it lacks taken from `base`.
+    pub fn over(self, base: Self) -> Self {
+        let mut parameters = base.parameters;
+        parameters.extend(self.parameters);
+        Self {
+            expect: self.expect.or(base.expect),
+            inconclusive_at_quick: self.inconclusive_at_quick.or(base.inconclusive_at_quick),
+            parameters,
+            body: self.body.or(base.body),
+            boundary: self.boundary.or(base.boundary),
+            contact: self.contact.or(base.contact),
+            exact: self.exact.or(base.exact),
+            family: self.family.or(base.family),
+            levels: self.levels.or(base.levels),
+            reference: self.reference.or(base.reference),
+            solver: self.solver.or(base.solver),
+            gates: self.gates.or(base.gates),
+            expected: self.expected.or(base.expected),
+        }
+    }
+}
+
+fn numbers(raw: Option<&BTreeMap<String, Finite>>) -> BTreeMap<String, f64> {
+    raw.into_iter().flatten().map(|(name, x)| (name.clone(), x.0)).collect()
+}

@@ -1,0 +1,66 @@
+//! Study files: TOML in, a [`Study`] with everything resolved out, or a [`StudyError`] that shows the place.
+//!
+//! ```text
+//! text ──parse──► tables (raw) ──layer: case over study──► resolve ──► Study { cases }
+//! ```
+//!
+//! `studies/README.md` describes every field. [`library`] finds the files.
+
+mod boundary;
+mod canonical;
+mod error;
+mod exact;
+mod field;
+mod formula;
+mod judge;
+mod layer;
+pub mod library;
+mod material;
+mod number;
+mod parse;
+mod plan;
+mod raw;
+mod resolve;
+mod shape;
+mod shipped;
+#[cfg(test)]
+mod tests;
+mod words;
+
+pub use error::{Position, StudyError};
+pub use library::{Group, Library, LibraryError, Source, find_studies};
+
+use crate::study::{Case, Study};
+use std::path::Path;
+
+impl Study {
+    /// Reads the study file at `path`.
+    ///
+    /// # Errors
+    /// The first thing in the file that makes no sense, with its place; or that the file cannot be read.
+    pub fn load(path: &Path) -> Result<Self, StudyError> {
+        let text = std::fs::read_to_string(path).map_err(|e| StudyError {
+            path: path.to_path_buf(),
+            position: None,
+            message: format!("cannot read the study: {e}"),
+            next: "check the path, and that the file is UTF-8 text".into(),
+        })?;
+        Self::parse(&text, path)
+    }
+
+    /// Resolves the text of a study file. `path` is named in messages, and its stem must be the study's id.
+    ///
+    /// # Errors
+    /// As [`Study::load`].
+    pub fn parse(text: &str, path: &Path) -> Result<Self, StudyError> {
+        parse::tables(text).and_then(|raw| resolve::study(&raw, path)).map_err(|fault| fault.locate(path, text))
+    }
+}
+
+impl Case {
+    /// 16 hex digits that change whenever anything changes that can move a number or the verdict: the FNV-1a hash of
+    /// [`Case::canonical`].
+    pub fn fingerprint(&self) -> String {
+        format!("{:016x}", canonical::fnv1a(self.canonical.as_bytes()))
+    }
+}

@@ -1,0 +1,165 @@
+//! How a case is computed: family, levels, reference, solver.
+
+use super::error::{Fault, refuse};
+use super::raw::{FamilyName, RawFamily, RawLevels, RawReference, RawSolver, ReferenceName, SolverName};
+use crate::family::Family;
+use crate::study::ReferencePlan;
+use signorini_contact::solver::{Method, Settings};
+use std::ops::Range;
+use toml::Spanned;
+
+/// Largest number of cells per unit that a level may ask for.
+const MOST_CELLS: usize = 8192;
+
+/// The family; `structured` if none is named.
+pub fn family(raw: Option<&Spanned<RawFamily>>) -> Result<Family, Fault> {
+    let Some(raw) = raw else { return Ok(Family::Structured) };
+    let f = raw.get_ref();
+    let plain = match f.name {
+        FamilyName::Structured => Family::Structured,
+        FamilyName::CrissCross => Family::CrissCross,
+        FamilyName::UnionJack => Family::UnionJack,
+        FamilyName::Perturbed => return random(raw).map(|(seed, amount)| Family::Perturbed { seed, amount }),
+        FamilyName::Refined => return random(raw).map(|(seed, amount)| Family::Refined { seed, amount }),
+    };
+    let superfluous = f.seed.as_ref().map(Spanned::span).or(f.amount.as_ref().map(Spanned::span));
+    match superfluous {
+        Some(span) => refuse(span, "`seed` and `amount` belong to random families", "leave it out"),
+        None => Ok(plain),
+    }
+}
+
+fn random(raw: &Spanned<RawFamily>) -> Result<(u64, f64), Fault> {
+    let f = raw.get_ref();
+    let (Some(seed), Some(amount)) = (&f.seed, &f.amount) else {
+        let message = "a random family needs `seed` and `amount`";
+        return refuse(raw.span(), message, "give both, e.g. seed = 1, amount = 0.2");
+    };
+    let a = amount.get_ref().0;
+    if !(0.0 < a && a < 0.5) {
+        return refuse(amount.span(), format!("amount = {a} must lie between 0 and 0.5 cells"), "0.2 is a good choice");
+    }
+    Ok((*seed.get_ref(), a))
+}
+
+/// The reference; `exact` if the scene has an exact solution, else `overkill`.
+pub fn reference(
+    raw: Option<&Spanned<RawReference>>,
+    has_exact: bool,
+    family: &Family,
+    place: Range<usize>,
+) -> Result<ReferencePlan, Fault> {
+    let by_default = if has_exact { ReferenceName::Exact } else { ReferenceName::Overkill };
+    let kind = raw.map_or(by_default, |r| r.get_ref().kind);
+    let span = raw.map_or(place, Spanned::span);
+    let (quick, full) = raw.map_or((None, None), |r| (r.get_ref().quick.as_ref(), r.get_ref().full.as_ref()));
+    if let (true, Some(n)) = (kind != ReferenceName::Overkill, quick.or(full)) {
+        return refuse(n.span(), "`quick` and `full` belong to an overkill reference", "leave them out");
+    }
+    match kind {
+        ReferenceName::Exact if !has_exact => {
+            refuse(span, "reference `exact`, but the scene has no exact solution", "add [exact], or choose `overkill`")
+        }
+        ReferenceName::Overkill if matches!(family, Family::Perturbed { .. }) => {
+            let message = "an overkill reference needs a nested family, and `perturbed` is none";
+            refuse(span, message, "choose `refined`, or the exact reference")
+        }
+        ReferenceName::Exact => Ok(ReferencePlan::Exact),
+        ReferenceName::None => Ok(ReferencePlan::None),
+        ReferenceName::Overkill => {
+            Ok(ReferencePlan::Overkill { quick: cells(quick, 256)?, full: cells(full, 1024)? })
+        }
+    }
+}
+
+fn cells(raw: Option<&Spanned<usize>>, default: usize) -> Result<usize, Fault> {
+    let Some(raw) = raw else { return Ok(default) };
+    in_range(*raw.get_ref(), raw.span())
+}
+
+fn in_range(n: usize, span: Range<usize>) -> Result<usize, Fault> {
+    if (1..=MOST_CELLS).contains(&n) {
+        return Ok(n);
+    }
+    refuse(span, format!("{n} cells, where 1 to {MOST_CELLS} are possible"), "choose, e.g., [8, 16, 32, 64, 128]")
+}
+
+/// The levels of the quick and the full profile. Only a control may repeat a mesh.
+pub fn levels(
+    raw: Option<&RawLevels>,
+    reference: &ReferencePlan,
+    control: bool,
+    place: Range<usize>,
+) -> Result<[Vec<usize>; 2], Fault> {
+    let (quick, full) = raw.map_or((None, None), |r| (r.quick.as_ref(), r.full.as_ref()));
+    let (last, ends) = match reference {
+        ReferencePlan::Overkill { quick, full } => ([64, 128], Some([*quick, *full])),
+        _ => ([128, 512], None),
+    };
+    let place = |list: Option<&Spanned<Vec<usize>>>| list.map_or(place.clone(), Spanned::span);
+    let (quick_place, full_place) = (place(quick), place(full));
+    let lists = [profile(quick, last[0], control)?, profile(full, last[1], control)?];
+    if let Some([end_quick, end_full]) = ends {
+        nested(&lists[0], end_quick, quick_place)?;
+        nested(&lists[1], end_full, full_place)?;
+    }
+    Ok(lists)
+}
+
+fn profile(raw: Option<&Spanned<Vec<usize>>>, last: usize, control: bool) -> Result<Vec<usize>, Fault> {
+    let Some(raw) = raw else { return Ok(doubling(last)) };
+    let list = raw.get_ref();
+    if list.is_empty() {
+        return refuse(raw.span(), "no levels", "give at least one; a rate needs four");
+    }
+    for &n in list {
+        in_range(n, raw.span())?;
+    }
+    match list.windows(2).find(|w| w[0] >= w[1]) {
+        Some(w) if !control => {
+            refuse(raw.span(), format!("level {} does not refine level {}", w[1], w[0]), "let the levels grow")
+        }
+        _ => Ok(list.clone()),
+    }
+}
+
+fn doubling(last: usize) -> Vec<usize> {
+    std::iter::successors(Some(8), |n| Some(2 * n)).take_while(|n| *n <= last).collect()
+}
+
+fn nested(levels: &[usize], reference: usize, span: Range<usize>) -> Result<(), Fault> {
+    // Red refinement halves: the reference has 2^k times the cells of a level, k ≥ 1.
+    let refines = |n: usize| reference > n && reference.is_multiple_of(n) && (reference / n).is_power_of_two();
+    match levels.iter().find(|n| !refines(**n)) {
+        None => Ok(()),
+        Some(n) => {
+            let message = format!("the reference of {reference} cells does not arise from {n} cells by halving");
+            refuse(span, message, "let the reference be a level's number times a power of two, and finer than all")
+        }
+    }
+}
+
+/// Solver settings.
+pub fn solver(raw: Option<&RawSolver>) -> Result<Settings, Fault> {
+    let mut settings = Settings::default();
+    let Some(raw) = raw else { return Ok(settings) };
+    settings.method = match raw.name {
+        None | Some(SolverName::Condensed) => Method::Condensed,
+        Some(SolverName::InteriorPoint) => Method::InteriorPoint,
+    };
+    if let Some(t) = &raw.tolerance {
+        settings.tolerance = t.get_ref().0;
+        if !(0.0 < settings.tolerance && settings.tolerance < 1.0) {
+            let message = format!("tolerance = {} must lie between 0 and 1", settings.tolerance);
+            return refuse(t.span(), message, "1e-11 is the default");
+        }
+    }
+    if let Some(steps) = &raw.max_steps {
+        settings.max_steps = *steps.get_ref();
+        if settings.max_steps == 0 {
+            return refuse(steps.span(), "max_steps = 0 leaves nothing to do", "50 is the default");
+        }
+    }
+    settings.crossover = raw.crossover.unwrap_or(settings.crossover);
+    Ok(settings)
+}

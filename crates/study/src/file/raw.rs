@@ -1,0 +1,253 @@
+//! The study file as it is written: one struct per table, field by field as `studies/README.md` documents them.
+//!
+//! No `flatten` and no `untagged`: both lose line and column and let misspelt keys pass.
+
+use super::number::{Finite, OrNone};
+use crate::record::ClaimKind;
+use serde::Deserialize;
+use std::collections::BTreeMap;
+use toml::Spanned;
+
+/// Two coordinates.
+pub type RawPoint = [Finite; 2];
+/// Two components, each an expression.
+pub type RawField = [Spanned<String>; 2];
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawStudy {
+    pub id: Spanned<String>,
+    pub title: String,
+    pub question: String,
+    pub setup: String,
+    pub refuted_by: String,
+    pub claim: Option<Spanned<String>>,
+    pub own_claim: Option<Spanned<RawClaim>>,
+    pub expect: Option<Expect>,
+    pub inconclusive_at_quick: Option<String>,
+    pub parameters: Option<BTreeMap<String, Finite>>,
+    pub body: Option<Vec<Spanned<RawBody>>>,
+    pub boundary: Option<Vec<RawBoundary>>,
+    pub contact: Option<RawContact>,
+    pub exact: Option<Spanned<RawExact>>,
+    pub family: Option<Spanned<RawFamily>>,
+    pub levels: Option<RawLevels>,
+    pub reference: Option<Spanned<RawReference>>,
+    pub solver: Option<RawSolver>,
+    pub gates: Option<Spanned<RawGates>>,
+    pub expected: Option<Spanned<RawExpected>>,
+    #[serde(default)]
+    pub case: Vec<RawCase>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawCase {
+    pub name: Spanned<String>,
+    pub expect: Option<Expect>,
+    pub inconclusive_at_quick: Option<String>,
+    pub parameters: Option<BTreeMap<String, Finite>>,
+    pub body: Option<Vec<Spanned<RawBody>>>,
+    pub boundary: Option<Vec<RawBoundary>>,
+    pub contact: Option<RawContact>,
+    pub exact: Option<Spanned<RawExact>>,
+    pub family: Option<Spanned<RawFamily>>,
+    pub levels: Option<RawLevels>,
+    pub reference: Option<Spanned<RawReference>>,
+    pub solver: Option<RawSolver>,
+    pub gates: Option<Spanned<RawGates>>,
+    pub expected: Option<Spanned<RawExpected>>,
+}
+
+#[derive(Clone, Copy, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Expect {
+    Fail,
+    Inconclusive,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawClaim {
+    pub statement: String,
+    pub kind: ClaimKind,
+    pub norm: Spanned<String>,
+    #[serde(default)]
+    pub hypotheses: Vec<String>,
+    pub paper: Option<Finite>,
+    pub today: Option<Finite>,
+    pub expected: Option<Finite>,
+    #[serde(default)]
+    pub sources: Vec<String>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawBody {
+    pub name: Spanned<String>,
+    pub material: Spanned<RawMaterial>,
+    pub rectangle: Option<Spanned<[RawPoint; 2]>>,
+    pub divisions: Option<Spanned<[usize; 2]>>,
+    pub blocks: Option<Spanned<Vec<RawBlock>>>,
+    pub force: Option<RawField>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawBlock {
+    pub corners: Spanned<[RawPoint; 4]>,
+    pub divisions: Option<Spanned<[usize; 2]>>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawMaterial {
+    pub lame: Option<[Finite; 2]>,
+    pub young: Option<Spanned<Finite>>,
+    pub poisson: Option<Spanned<Finite>>,
+    pub plane: Option<Spanned<PlaneName>>,
+    pub orthotropic: Option<RawOrthotropic>,
+    pub matrix: Option<[[Finite; 3]; 3]>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawOrthotropic {
+    pub moduli: [Finite; 3],
+    pub ratios: [Finite; 3],
+    pub shear: Finite,
+}
+
+#[derive(Clone, Copy, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum PlaneName {
+    Strain,
+    Stress,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawBoundary {
+    pub body: Spanned<String>,
+    pub name: Spanned<String>,
+    pub along: Spanned<Vec<RawPoint>>,
+    pub condition: Spanned<ConditionName>,
+    pub value: Option<Spanned<RawField>>,
+}
+
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq)]
+#[serde(rename_all = "kebab-case")]
+pub enum ConditionName {
+    Fixed,
+    Sliding,
+    Traction,
+    Free,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawContact {
+    pub along: Spanned<Vec<RawPoint>>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawExact {
+    pub builtin: Option<Spanned<String>>,
+    pub first: Option<RawField>,
+    pub second: Option<RawField>,
+    #[serde(default)]
+    pub singular: Vec<RawPoint>,
+    #[serde(default)]
+    pub breaks: Vec<[RawPoint; 2]>,
+    #[serde(default)]
+    pub switches: Vec<RawPoint>,
+    pub materials: Option<Spanned<[RawLame; 2]>>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawLame {
+    pub lame: [Finite; 2],
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawFamily {
+    pub name: FamilyName,
+    pub seed: Option<Spanned<u64>>,
+    pub amount: Option<Spanned<Finite>>,
+}
+
+#[derive(Clone, Copy, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum FamilyName {
+    Structured,
+    CrissCross,
+    UnionJack,
+    Perturbed,
+    Refined,
+}
+
+#[derive(Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawLevels {
+    pub quick: Option<Spanned<Vec<usize>>>,
+    pub full: Option<Spanned<Vec<usize>>>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawReference {
+    pub kind: ReferenceName,
+    pub quick: Option<Spanned<usize>>,
+    pub full: Option<Spanned<usize>>,
+}
+
+#[derive(Clone, Copy, Deserialize, PartialEq)]
+#[serde(rename_all = "kebab-case")]
+pub enum ReferenceName {
+    Exact,
+    Overkill,
+    None,
+}
+
+#[derive(Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawSolver {
+    pub name: Option<SolverName>,
+    pub tolerance: Option<Spanned<Finite>>,
+    pub crossover: Option<bool>,
+    pub max_steps: Option<Spanned<usize>>,
+}
+
+#[derive(Clone, Copy, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum SolverName {
+    Condensed,
+    InteriorPoint,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawGates {
+    pub rate_tolerance: Option<Spanned<Finite>>,
+    pub ceiling: Option<Spanned<OrNone>>,
+    pub exact_tolerance: Option<Spanned<Finite>>,
+    pub fall: Option<Spanned<Finite>>,
+    pub spread: Option<Spanned<Finite>>,
+    pub share: Option<Spanned<Finite>>,
+    pub fixed_quadrature: Option<Spanned<bool>>,
+    pub reason: Option<String>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawExpected {
+    pub rate: Option<OrNone>,
+    pub paper: Option<OrNone>,
+    pub today: Option<OrNone>,
+    #[serde(default)]
+    pub asymptotic_only: bool,
+    pub reason: Option<String>,
+}

@@ -1,0 +1,136 @@
+//! From the tables of a study file to its cases.
+
+use super::canonical;
+use super::error::{Fault, refuse};
+use super::field::{INSIDE, vector_field};
+use super::layer::Layer;
+use super::raw::{Expect, RawBody, RawStudy};
+use super::{boundary, exact, judge, material, plan, shape, words};
+use crate::claim::Claim;
+use crate::record::Outcome;
+use crate::study::{Case, ReferencePlan, Scene, Study};
+use std::collections::BTreeMap;
+use std::ops::Range;
+use std::path::Path;
+use toml::Spanned;
+
+/// The study of the tables, read from `path`.
+pub fn study(raw: &RawStudy, path: &Path) -> Result<Study, Fault> {
+    words::folder_name("id", raw.id.get_ref(), raw.id.span())?;
+    let id = raw.id.get_ref().clone();
+    if path.file_stem().is_some_and(|stem| stem != id.as_str()) {
+        let message = format!("id `{id}` in a file named `{}`", path.display());
+        return refuse(raw.id.span(), message, "a study is found by its file name: let the two agree");
+    }
+    let claim = judge::claim(raw)?;
+    Ok(Study {
+        cases: cases(raw, &claim)?,
+        id,
+        title: raw.title.clone(),
+        question: raw.question.trim().to_string(),
+        setup: raw.setup.trim().to_string(),
+        refuted_by: raw.refuted_by.trim().to_string(),
+        claim,
+        source: path.to_path_buf(),
+    })
+}
+
+fn cases(raw: &RawStudy, claim: &Claim) -> Result<Vec<Case>, Fault> {
+    if raw.case.is_empty() {
+        return Ok(vec![case(&raw.id, Layer::of_study(raw), claim)?]);
+    }
+    let mut cases: Vec<Case> = Vec::with_capacity(raw.case.len());
+    for own in &raw.case {
+        let name = own.name.get_ref();
+        words::folder_name("case name", name, own.name.span())?;
+        if cases.iter().any(|c| c.name == *name) {
+            return refuse(own.name.span(), format!("two cases named `{name}`"), "rename one of them");
+        }
+        cases.push(case(&own.name, Layer::of_case(own).over(Layer::of_study(raw)), claim)?);
+    }
+    Ok(cases)
+}
+
+fn case(name: &Spanned<String>, layer: Layer<'_>, claim: &Claim) -> Result<Case, Fault> {
+    let place = name.span();
+    let control = layer.expect.is_some();
+    let scene = scene(&layer, &place, control)?;
+    let family = plan::family(layer.family)?;
+    let reference = plan::reference(layer.reference, scene.exact.is_some(), &family, place.clone())?;
+    let [quick, full] = plan::levels(layer.levels, &reference, control, place)?;
+    let (gates, fixed_quadrature) = judge::gates(layer.gates, control)?;
+    let (bounds, expected_is_asymptotic) = judge::bounds(&claim.bounds, layer.expected)?;
+    let mut case = Case {
+        name: name.get_ref().clone(),
+        notes: notes(&layer, &scene, &reference),
+        scene,
+        family,
+        quick,
+        full,
+        reference,
+        solver: plan::solver(layer.solver)?,
+        gates,
+        bounds,
+        expected_is_asymptotic,
+        expect: layer.expect.map(outcome),
+        inconclusive_at_quick: layer.inconclusive_at_quick.cloned(),
+        fixed_quadrature,
+        canonical: String::new(),
+        parameters: BTreeMap::new(),
+    };
+    case.canonical = canonical::text(&case, &layer, claim);
+    case.parameters = layer.parameters;
+    Ok(case)
+}
+
+fn outcome(expect: Expect) -> Outcome {
+    match expect {
+        Expect::Fail => Outcome::Fail,
+        Expect::Inconclusive => Outcome::Inconclusive,
+    }
+}
+
+/// Remarks of the exact solution, and the reasons given for gates and expectations.
+fn notes(layer: &Layer<'_>, scene: &Scene, reference: &ReferencePlan) -> Vec<String> {
+    let mut notes = scene.exact.as_ref().map_or_else(Vec::new, |e| e.solution.notes());
+    if let (Some(_), ReferencePlan::Overkill { .. }) = (&scene.exact, reference) {
+        notes.push("loads come from the exact solution, errors are measured against the overkill reference".into());
+    }
+    let gates = layer.gates.and_then(|g| g.get_ref().reason.as_ref()).map(|r| format!("gates: {r}"));
+    let expected = layer.expected.and_then(|e| e.get_ref().reason.as_ref()).map(|r| format!("expected rate: {r}"));
+    notes.extend(gates.into_iter().chain(expected));
+    notes
+}
+
+fn scene(layer: &Layer<'_>, place: &Range<usize>, control: bool) -> Result<Scene, Fault> {
+    let [first, second] = two_bodies(layer, place)?;
+    let (a, b) = (first.get_ref(), second.get_ref());
+    if a.name.get_ref() == b.name.get_ref() {
+        return refuse(b.name.span(), format!("two bodies named `{}`", b.name.get_ref()), "rename one of them");
+    }
+    let p = &layer.parameters;
+    let bodies = [shape::shape(first)?, shape::shape(second)?];
+    let materials = [material::material(&a.material)?, material::material(&b.material)?];
+    let Some(contact) = layer.contact else {
+        let message = "no [contact]: the two bodies never meet";
+        return refuse(place.clone(), message, "add [contact] with `along = [[x, y], …]`, the first body on its left");
+    };
+    let force = |body: &RawBody| body.force.as_ref().map(|f| vector_field(f, &INSIDE, p)).transpose();
+    Ok(Scene {
+        parts: boundary::parts(layer.boundary.unwrap_or_default(), &bodies, p)?,
+        contact: boundary::contact(contact, &bodies)?,
+        body_force: [force(a)?, force(b)?],
+        exact: layer.exact.map(|e| exact::exact(e, &materials, p, control)).transpose()?,
+        bodies,
+        materials,
+    })
+}
+
+fn two_bodies<'a>(layer: &Layer<'a>, place: &Range<usize>) -> Result<&'a [Spanned<RawBody>; 2], Fault> {
+    let bodies = layer.body.unwrap_or_default();
+    bodies.try_into().map_err(|_| {
+        let span = bodies.get(2).map_or(place.clone(), |b| b.get_ref().name.span());
+        let message = format!("{} bodies, where contact has exactly 2", bodies.len());
+        Fault::new(span, message, "give two tables [[body]]; the first is Ω', whose outward normal points to the second")
+    })
+}

@@ -1,0 +1,106 @@
+//! Bodies of a study file: quadrilateral blocks.
+
+use super::error::{Fault, refuse};
+use super::raw::{RawBlock, RawBody, RawPoint};
+use crate::study::{Block, Shape};
+use signorini_contact::Point;
+use signorini_contact::geometry::{Segment, twice_area};
+use std::ops::Range;
+use toml::Spanned;
+
+/// The point of two coordinates.
+pub fn point(p: &RawPoint) -> Point {
+    Point::new(p[0].0, p[1].0)
+}
+
+/// The shape of a body given by a rectangle or by blocks.
+pub fn shape(raw: &Spanned<RawBody>) -> Result<Shape, Fault> {
+    let body = raw.get_ref();
+    let blocks = match (&body.rectangle, &body.blocks) {
+        (Some(rectangle), None) => vec![rectangle_block(rectangle, body.divisions.as_ref())?],
+        (None, Some(blocks)) => {
+            if let Some(d) = &body.divisions {
+                let message = "`divisions` of a body belong to its `rectangle`";
+                return refuse(d.span(), message, "give each block its own `divisions`");
+            }
+            listed(blocks)?
+        }
+        _ => {
+            let message = format!("body `{}` needs either `rectangle` or `blocks`", body.name.get_ref());
+            return refuse(body.name.span(), message, "give exactly one of the two");
+        }
+    };
+    Ok(Shape { name: body.name.get_ref().clone(), blocks })
+}
+
+fn rectangle_block(raw: &Spanned<[RawPoint; 2]>, split: Option<&Spanned<[usize; 2]>>) -> Result<Block, Fault> {
+    let [a, b] = raw.get_ref().each_ref().map(point);
+    if !(a.x < b.x && a.y < b.y) {
+        let message = format!("rectangle ({}, {}) – ({}, {}) has no area", a.x, a.y, b.x, b.y);
+        return refuse(raw.span(), message, "give the lower left corner, then the upper right one");
+    }
+    Ok(Block { corners: [a, Point::new(b.x, a.y), b, Point::new(a.x, b.y)], divisions: divisions(split)? })
+}
+
+fn listed(raw: &Spanned<Vec<RawBlock>>) -> Result<Vec<Block>, Fault> {
+    if raw.get_ref().is_empty() {
+        return refuse(raw.span(), "a body without blocks", "give at least one block");
+    }
+    raw.get_ref().iter().map(block).collect()
+}
+
+fn block(raw: &RawBlock) -> Result<Block, Fault> {
+    let corners = raw.corners.get_ref().each_ref().map(point);
+    for i in 0..4 {
+        // A convex quadrilateral turns left at every corner; only then its bilinear map folds nowhere.
+        let turn = twice_area(corners[i], corners[(i + 1) % 4], corners[(i + 2) % 4]);
+        if turn <= 0.0 {
+            let c = corners[(i + 1) % 4];
+            let message = format!("block: no left turn at the corner ({}, {}), (b−a)×(c−b) = {turn} ≤ 0", c.x, c.y);
+            return refuse(raw.corners.span(), message, "give four corners of a convex block, counterclockwise");
+        }
+    }
+    Ok(Block { corners, divisions: divisions(raw.divisions.as_ref())? })
+}
+
+fn divisions(raw: Option<&Spanned<[usize; 2]>>) -> Result<[usize; 2], Fault> {
+    let Some(raw) = raw else { return Ok([1, 1]) };
+    let d = *raw.get_ref();
+    if d.iter().any(|n| !(1..=1024).contains(n)) {
+        return refuse(raw.span(), format!("divisions {d:?} must lie between 1 and 1024"), "divide by whole numbers");
+    }
+    Ok(d)
+}
+
+/// A polyline of at least two different points whose corners lie on sides of `shape`'s blocks.
+pub fn polyline(raw: &Spanned<Vec<RawPoint>>, shapes: &[&Shape]) -> Result<Vec<Point>, Fault> {
+    let points: Vec<Point> = raw.get_ref().iter().map(point).collect();
+    if points.len() < 2 {
+        let message = format!("a polyline of {} point(s)", points.len());
+        return refuse(raw.span(), message, "give at least two points");
+    }
+    if let Some(w) = points.windows(2).find(|w| w[0] == w[1]) {
+        let message = format!("the point ({}, {}) stands twice in a row", w[0].x, w[0].y);
+        return refuse(raw.span(), message, "leave one of them out");
+    }
+    for shape in shapes {
+        on_sides(&points, shape, raw.span())?;
+    }
+    Ok(points)
+}
+
+fn on_sides(points: &[Point], shape: &Shape, span: Range<usize>) -> Result<(), Fault> {
+    let size = shape.blocks.iter().map(|b| (b.corners[2] - b.corners[0]).norm()).fold(0.0, f64::max);
+    let off = |p: &Point| shape.blocks.iter().flat_map(sides).all(|s| s.distance(*p) > 1e-9 * size);
+    match points.iter().find(|p| off(p)) {
+        None => Ok(()),
+        Some(p) => {
+            let message = format!("the point ({}, {}) lies on no side of body `{}`", p.x, p.y, shape.name);
+            refuse(span, message, "move it onto the body's boundary, or correct the body")
+        }
+    }
+}
+
+fn sides(block: &Block) -> [Segment; 4] {
+    std::array::from_fn(|i| Segment { a: block.corners[i], b: block.corners[(i + 1) % 4] })
+}
