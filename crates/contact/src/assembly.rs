@@ -139,8 +139,11 @@ fn transposed_product(a: &[f64; 4], b: &[f64; 4]) -> [f64; 4] {
 /// The nodal loads `f(φ_i)`: body forces and tractions by quadrature. A load that is not a number is refused, with its place.
 pub fn loads(mesh: &Mesh, supports: &[Support], data: &dyn Data, cubature: &Cubature) -> Result<Vec<Vec2>, Error> {
     let mut nodal = vec![Vec2::zeros(); mesh.points.len()];
-    let body_loads: Vec<Option<[Vec2; 3]>> =
-        (0..mesh.triangles.len()).into_par_iter().with_min_len(64).map(|t| element_load(mesh, data, cubature, t)).collect();
+    let body_loads: Vec<Option<[Vec2; 3]>> = (0..mesh.triangles.len())
+        .into_par_iter()
+        .with_min_len(64)
+        .map(|t| element_load(mesh, data, cubature, t))
+        .collect();
     for (t, load) in body_loads.iter().enumerate() {
         let Some(load) = load else { continue };
         check_load(load, || format!("body force in triangle {t} around {}", place(&mesh.corners(t))))?;

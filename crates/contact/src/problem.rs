@@ -213,7 +213,8 @@ impl Discrete {
     /// Turns the answer of the quadratic problem into displacements, contact forces and energies.
     pub fn recover(&self, mesh: &Mesh, materials: &[Material; 2], raw: QpSolution) -> Solution {
         let displacement = self.basis.displacement(&raw.x);
-        let mut contact_forces: Vec<Vec<f64>> = self.zone.pairs.iter().map(|p| vec![0.0; p.constraints.len()]).collect();
+        let mut contact_forces: Vec<Vec<f64>> =
+            self.zone.pairs.iter().map(|p| vec![0.0; p.constraints.len()]).collect();
         for (origin, force) in self.origins.iter().zip(&raw.multipliers) {
             contact_forces[origin.pair][origin.constraint] = *force;
         }

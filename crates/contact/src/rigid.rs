@@ -94,8 +94,12 @@ pub fn balance(mesh: &Mesh, supports: &[NodeSupport], zone: &Zone, load: &[Vec2]
     for ray in extreme_rays(&one_sided, &contact) {
         judge.demand_pressing(&ray)?;
     }
-    let remark = |y: &Vector6<f64>| format!("{} is free in both directions; its mean is set to zero", frame.describe(y));
-    Ok(Balance { remarks: kernel.iter().map(remark).collect(), kernel: kernel.iter().map(|y| judge.field(y)).collect() })
+    let remark =
+        |y: &Vector6<f64>| format!("{} is free in both directions; its mean is set to zero", frame.describe(y));
+    Ok(Balance {
+        remarks: kernel.iter().map(remark).collect(),
+        kernel: kernel.iter().map(|y| judge.field(y)).collect(),
+    })
 }
 
 struct Judge<'a> {

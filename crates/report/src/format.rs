@@ -10,10 +10,7 @@ pub fn significant(x: f64, digits: usize) -> String {
     }
     let scientific = format!("{:.*e}", digits.saturating_sub(1), x);
     // The exponent after rounding: 0.99999 to two digits is 1.0.
-    let exponent: i32 = scientific
-        .split_once('e')
-        .and_then(|(_, e)| e.parse().ok())
-        .unwrap_or(0);
+    let exponent: i32 = scientific.split_once('e').and_then(|(_, e)| e.parse().ok()).unwrap_or(0);
     if !(-3..5).contains(&exponent) {
         return scientific;
     }
@@ -24,11 +21,7 @@ pub fn significant(x: f64, digits: usize) -> String {
 /// A rate to three decimals; no `-0.000`.
 pub fn rate(x: f64) -> String {
     let text = format!("{x:.3}");
-    if text == "-0.000" {
-        "0.000".into()
-    } else {
-        text
-    }
+    if text == "-0.000" { "0.000".into() } else { text }
 }
 
 /// `0.998 [0.994, 1.002]`: a slope and its 95 % interval.
@@ -79,11 +72,7 @@ pub fn superscript(text: &str) -> String {
 
 /// `level 3`, `levels 0–6`.
 pub fn level_words(numbers: &[usize]) -> String {
-    let word = if numbers.len() == 1 {
-        "level"
-    } else {
-        "levels"
-    };
+    let word = if numbers.len() == 1 { "level" } else { "levels" };
     format!("{word} {}", levels(numbers))
 }
 
@@ -96,23 +85,13 @@ pub fn levels(numbers: &[usize]) -> String {
             _ => runs.push((n, n)),
         }
     }
-    let words: Vec<String> = runs
-        .iter()
-        .map(|&(a, b)| {
-            if a == b {
-                format!("{a}")
-            } else {
-                format!("{a}–{b}")
-            }
-        })
-        .collect();
+    let words: Vec<String> =
+        runs.iter().map(|&(a, b)| if a == b { format!("{a}") } else { format!("{a}–{b}") }).collect();
     words.join(", ")
 }
 
 fn fraction(x: f64) -> Option<(i64, i64)> {
-    (1..=4_i64)
-        .map(|q| ((x * q as f64).round() as i64, q))
-        .find(|&(p, q)| (x - p as f64 / q as f64).abs() < 1e-9)
+    (1..=4_i64).map(|q| ((x * q as f64).round() as i64, q)).find(|&(p, q)| (x - p as f64 / q as f64).abs() < 1e-9)
 }
 
 fn trimmed(x: f64) -> String {

@@ -15,10 +15,7 @@ struct Measured<'a> {
 }
 
 fn measured<'a>(key: &str, heading: &str, cell: impl Fn(&Level) -> Cell + 'a) -> Measured<'a> {
-    Measured {
-        column: Column::new(key, heading),
-        cell: Box::new(move |_, level| cell(level)),
-    }
+    Measured { column: Column::new(key, heading), cell: Box::new(move |_, level| cell(level)) }
 }
 
 /// Everything measured, one row per level: the table of CSV and JSON.
@@ -87,12 +84,7 @@ pub fn rates(record: &StudyRecord) -> Table {
         ],
         excluded: None,
     });
-    Table {
-        rows: rows.collect(),
-        columns: columns
-            .map(|(key, heading)| Column::new(key, heading))
-            .to_vec(),
-    }
+    Table { rows: rows.collect(), columns: columns.map(|(key, heading)| Column::new(key, heading)).to_vec() }
 }
 
 fn build(record: &StudyRecord, measured: Vec<Measured<'_>>) -> Table {
@@ -100,24 +92,18 @@ fn build(record: &StudyRecord, measured: Vec<Measured<'_>>) -> Table {
         cells: measured.iter().map(|m| (m.cell)(i, level)).collect(),
         excluded: level.excluded.clone(),
     });
-    Table {
-        rows: rows.collect(),
-        columns: measured.into_iter().map(|m| m.column).collect(),
-    }
+    Table { rows: rows.collect(), columns: measured.into_iter().map(|m| m.column).collect() }
 }
 
 /// Drops the columns in which no row has a value.
 fn without_empty(table: Table) -> Table {
     let filled = |c: usize| table.rows.iter().any(|row| row.cells[c] != Cell::Missing);
     let keep: Vec<usize> = (0..table.columns.len()).filter(|&c| filled(c)).collect();
-    let rows = table.rows.iter().map(|row| Row {
-        cells: keep.iter().map(|&c| row.cells[c].clone()).collect(),
-        excluded: row.excluded.clone(),
-    });
-    Table {
-        rows: rows.collect(),
-        columns: keep.iter().map(|&c| table.columns[c].clone()).collect(),
-    }
+    let rows = table
+        .rows
+        .iter()
+        .map(|row| Row { cells: keep.iter().map(|&c| row.cells[c].clone()).collect(), excluded: row.excluded.clone() });
+    Table { rows: rows.collect(), columns: keep.iter().map(|&c| table.columns[c].clone()).collect() }
 }
 
 fn level_column() -> Measured<'static> {
@@ -151,13 +137,7 @@ fn error_columns(record: &StudyRecord) -> Vec<Measured<'_>> {
 
 /// The judged quantity where it is none of the usual norms.
 fn judged_columns(record: &StudyRecord) -> Vec<Measured<'_>> {
-    const SHOWN_ELSEWHERE: [&str; 5] = [
-        "pressure_l2",
-        "pressure_dual",
-        "penetration_l2",
-        "contact_set",
-        "energy_gap",
-    ];
+    const SHOWN_ELSEWHERE: [&str; 5] = ["pressure_l2", "pressure_dual", "penetration_l2", "contact_set", "energy_gap"];
     let Some(norm) = norm::norm(&record.norm) else {
         return Vec::new();
     };
@@ -174,10 +154,7 @@ fn error_column(norm: &'static Norm) -> Measured<'static> {
 
 fn rate_column<'a>(record: &'a StudyRecord, norm: &'static Norm) -> Measured<'a> {
     Measured {
-        column: Column::new(
-            format!("{}_rate", norm.key),
-            format!("rate, {}", norm.words),
-        ),
+        column: Column::new(format!("{}_rate", norm.key), format!("rate, {}", norm.words)),
         cell: Box::new(move |i, _| Cell::rate(norm::pairwise(record, norm, i))),
     }
 }
@@ -186,32 +163,18 @@ fn contact_columns() -> Vec<Measured<'static>> {
     vec![
         measured("constraints", "constraints", |l| Cell::Count(l.constraints)),
         measured("active", "active", |l| Cell::Count(l.active)),
-        measured("switch_sides", "switch sides", |l| {
-            Cell::count(l.switch_sides)
-        }),
-        measured("pressure_l2", "pressure ‖p−pₕ‖₀", |l| {
-            Cell::number(l.errors.pressure_l2)
-        }),
-        measured("pressure_dual", "pressure, dual norm", |l| {
-            Cell::number(l.errors.pressure_dual)
-        }),
-        measured("penetration_l2", "penetration", |l| {
-            Cell::number(l.errors.penetration_l2)
-        }),
-        measured("contact_set", "contact set |C △ Cₕ|", |l| {
-            Cell::number(l.errors.contact_set)
-        }),
-        measured("energy_gap", "L(uₕ)−L(u)", |l| {
-            Cell::number(l.errors.energy_gap)
-        }),
+        measured("switch_sides", "switch sides", |l| Cell::count(l.switch_sides)),
+        measured("pressure_l2", "pressure ‖p−pₕ‖₀", |l| Cell::number(l.errors.pressure_l2)),
+        measured("pressure_dual", "pressure, dual norm", |l| Cell::number(l.errors.pressure_dual)),
+        measured("penetration_l2", "penetration", |l| Cell::number(l.errors.penetration_l2)),
+        measured("contact_set", "contact set |C △ Cₕ|", |l| Cell::number(l.errors.contact_set)),
+        measured("energy_gap", "L(uₕ)−L(u)", |l| Cell::number(l.errors.energy_gap)),
     ]
 }
 
 fn ledger_columns() -> Vec<Measured<'static>> {
     let term = |key, heading, value: fn(&Ledger) -> f64| {
-        measured(key, heading, move |l| {
-            Cell::number(l.ledger.as_ref().map(value))
-        })
+        measured(key, heading, move |l| Cell::number(l.ledger.as_ref().map(value)))
     };
     vec![
         term("ledger_lhs", "½A(e,e)", |t| t.lhs),
@@ -232,38 +195,18 @@ fn solution_columns() -> Vec<Measured<'static>> {
         measured("min_angle", "min angle °", |l| Cell::Number(l.min_angle)),
         measured("side_ratio", "β", |l| Cell::Number(l.side_ratio)),
         measured("energy_value", "L(uₕ)", |l| Cell::Number(l.energy)),
-        measured("kkt_stationarity", "KKT stationarity", |l| {
-            Cell::Number(l.kkt.stationarity)
-        }),
-        measured("kkt_penetration", "KKT penetration", |l| {
-            Cell::Number(l.kkt.penetration)
-        }),
-        measured("kkt_tension", "KKT tension", |l| {
-            Cell::Number(l.kkt.tension)
-        }),
-        measured("kkt_complementarity", "KKT compl.", |l| {
-            Cell::Number(l.kkt.complementarity)
-        }),
-        measured("weakly_active", "weakly active", |l| {
-            Cell::Count(l.kkt.weakly_active)
-        }),
-        measured("budget_algebraic", "algebraic", |l| {
-            Cell::number(l.budget.algebraic)
-        }),
-        measured("budget_quadrature", "quadrature", |l| {
-            Cell::number(l.budget.quadrature)
-        }),
-        measured("budget_geometry", "geometry", |l| {
-            Cell::number(l.budget.geometry)
-        }),
-        measured("budget_reference", "reference", |l| {
-            Cell::number(l.budget.reference)
-        }),
+        measured("kkt_stationarity", "KKT stationarity", |l| Cell::Number(l.kkt.stationarity)),
+        measured("kkt_penetration", "KKT penetration", |l| Cell::Number(l.kkt.penetration)),
+        measured("kkt_tension", "KKT tension", |l| Cell::Number(l.kkt.tension)),
+        measured("kkt_complementarity", "KKT compl.", |l| Cell::Number(l.kkt.complementarity)),
+        measured("weakly_active", "weakly active", |l| Cell::Count(l.kkt.weakly_active)),
+        measured("budget_algebraic", "algebraic", |l| Cell::number(l.budget.algebraic)),
+        measured("budget_quadrature", "quadrature", |l| Cell::number(l.budget.quadrature)),
+        measured("budget_geometry", "geometry", |l| Cell::number(l.budget.geometry)),
+        measured("budget_reference", "reference", |l| Cell::number(l.budget.reference)),
         measured("solver", "solver", |l| Cell::text(&l.solver.name)),
         measured("status", "status", |l| Cell::text(&l.solver.status)),
-        measured("iterations", "iterations", |l| {
-            Cell::Count(l.solver.iterations)
-        }),
+        measured("iterations", "iterations", |l| Cell::Count(l.solver.iterations)),
         measured("mesh_hash", "mesh", |l| Cell::text(&l.mesh_hash)),
     ]
 }

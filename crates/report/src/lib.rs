@@ -51,10 +51,7 @@ pub fn render(record: &StudyRecord, dir: &Path) -> Result<Vec<PathBuf>, ReportEr
     let table = levels::all(record);
     let rates = plot::rates(record);
     let ledger = plot::ledger(record);
-    let pictures = markdown::Pictures {
-        rates: rates.is_some(),
-        ledger: ledger.is_some(),
-    };
+    let pictures = markdown::Pictures { rates: rates.is_some(), ledger: ledger.is_some() };
     let mut folder = Folder::new(dir);
     folder.write("report.md", markdown::page(record, pictures).as_bytes())?;
     folder.write("table.csv", &table.to_csv()?)?;
@@ -89,10 +86,7 @@ struct Folder<'a> {
 
 impl<'a> Folder<'a> {
     fn new(dir: &'a Path) -> Self {
-        Self {
-            dir,
-            written: Vec::new(),
-        }
+        Self { dir, written: Vec::new() }
     }
 
     fn write(&mut self, name: &str, bytes: &[u8]) -> Result<(), ReportError> {

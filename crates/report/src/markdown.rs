@@ -29,19 +29,11 @@ pub fn page(record: &StudyRecord, pictures: Pictures) -> String {
         errors(record, pictures.rates),
         ledger(record, pictures.ledger),
         table_section("Contact", &levels::contact(record), CONTACT_LEGEND),
-        table_section(
-            "Certificate, budget and solver",
-            &levels::solution(record),
-            SOLUTION_LEGEND,
-        ),
+        table_section("Certificate, budget and solver", &levels::solution(record), SOLUTION_LEGEND),
         notes(record),
         reproduce(record),
     ];
-    sections
-        .into_iter()
-        .filter(|s| !s.is_empty())
-        .collect::<Vec<_>>()
-        .join("\n")
+    sections.into_iter().filter(|s| !s.is_empty()).collect::<Vec<_>>().join("\n")
 }
 
 const ERRORS_LEGEND: &str = "h is the largest side; a rate stands beside its norm and is taken between a level and the \
@@ -55,17 +47,8 @@ const SOLUTION_LEGEND: &str = "KKT: scaled residuals of the optimality condition
 Algebraic, quadrature, geometry, reference: shares of the energy error that are not discretisation.";
 
 fn head(record: &StudyRecord) -> String {
-    let case = if record.several {
-        format!(" · case `{}`", record.case)
-    } else {
-        String::new()
-    };
-    format!(
-        "# {}\n\nStudy `{}`{case} · **{}**\n",
-        record.title,
-        record.study,
-        verdict::words(record)
-    )
+    let case = if record.several { format!(" · case `{}`", record.case) } else { String::new() };
+    format!("# {}\n\nStudy `{}`{case} · **{}**\n", record.title, record.study, verdict::words(record))
 }
 
 fn section(title: &str, body: &str) -> String {
@@ -115,9 +98,7 @@ fn bounds_table(record: &StudyRecord, observed: Option<&Rate>) -> Table {
     };
     let bound = |words: &str, value| row(words, Cell::bound(value), Cell::Missing, Cell::Missing);
     Table {
-        columns: ["", "rate", "95 % from", "to"]
-            .map(|heading| Column::new(heading, heading))
-            .to_vec(),
+        columns: ["", "rate", "95 % from", "to"].map(|heading| Column::new(heading, heading)).to_vec(),
         rows: vec![
             bound("paper", record.bounds.paper),
             bound("today", record.bounds.today),
@@ -147,37 +128,19 @@ fn fit_words(rate: &Rate) -> String {
 
 fn set_up(record: &StudyRecord) -> String {
     let mut lines = vec![format!("- Family: {}", family_words(record))];
-    lines.push(format!(
-        "- Reference: {}",
-        reference_words(&record.reference)
-    ));
-    lines.push(format!(
-        "- Profile: {}, {} levels",
-        record.profile,
-        record.levels.len()
-    ));
+    lines.push(format!("- Reference: {}", reference_words(&record.reference)));
+    lines.push(format!("- Profile: {}, {} levels", record.profile, record.levels.len()));
     if !record.parameters.is_empty() {
         let values = record.parameters.iter();
         let words: Vec<String> = values.map(|(name, x)| format!("{name} = {x}")).collect();
         lines.push(format!("- Parameters: {}", words.join(", ")));
     }
-    section(
-        "Set-up",
-        &format!("{}\n\n{}", record.setup.trim(), lines.join("\n")),
-    )
+    section("Set-up", &format!("{}\n\n{}", record.setup.trim(), lines.join("\n")))
 }
 
 fn family_words(record: &StudyRecord) -> String {
-    let nested = if record.levels.iter().skip(1).all(|l| l.nested) {
-        "nested"
-    } else {
-        "not nested"
-    };
-    let seed = if record.seed == 0 {
-        String::new()
-    } else {
-        format!(", seed {}", record.seed)
-    };
+    let nested = if record.levels.iter().skip(1).all(|l| l.nested) { "nested" } else { "not nested" };
+    let seed = if record.seed == 0 { String::new() } else { format!(", seed {}", record.seed) };
     if record.levels.len() < 2 {
         return format!("{}{seed}", record.family);
     }
@@ -185,15 +148,7 @@ fn family_words(record: &StudyRecord) -> String {
 }
 
 fn reference_words(reference: &Reference) -> String {
-    let Reference::Overkill {
-        h,
-        dofs,
-        energy,
-        estimated_error,
-        stationarity,
-        solver,
-    } = reference
-    else {
+    let Reference::Overkill { h, dofs, energy, estimated_error, stationarity, solver } = reference else {
         return match reference_word(reference) {
             "exact" => "exact, a closed form".into(),
             _ => "none: energies and certificates alone".into(),
@@ -213,14 +168,10 @@ fn verdict_section(record: &StudyRecord) -> String {
     lines.extend(record.verdict.reasons.iter().map(|why| format!("- {why}")));
     if let Some(expect) = record.expect {
         let wanted = verdict::outcome_word(expect);
-        lines.push(format!(
-            "- This case is a control: it is built so that the verdict must be *{wanted}*."
-        ));
+        lines.push(format!("- This case is a control: it is built so that the verdict must be *{wanted}*."));
     }
     if let Some(why) = &record.expected_inconclusive {
-        lines.push(format!(
-            "- At the sizes of the quick profile no verdict is expected: {why}"
-        ));
+        lines.push(format!("- At the sizes of the quick profile no verdict is expected: {why}"));
     }
     section("Verdict", &lines.join("\n"))
 }
@@ -230,10 +181,7 @@ fn errors(record: &StudyRecord, picture: bool) -> String {
         return String::new();
     }
     let mut body = image(picture, "rates.png", "Errors against mesh size");
-    body += &format!(
-        "{}\n{ERRORS_LEGEND}\n",
-        levels::errors(record).to_markdown()
-    );
+    body += &format!("{}\n{ERRORS_LEGEND}\n", levels::errors(record).to_markdown());
     if !record.rates.is_empty() {
         body += &format!("\n{}", levels::rates(record).to_markdown());
     }
@@ -244,31 +192,16 @@ fn ledger(record: &StudyRecord, picture: bool) -> String {
     let Some(table) = levels::ledger(record) else {
         return String::new();
     };
-    let image = image(
-        picture,
-        "ledger.png",
-        "Terms of the ledger against mesh size",
-    );
-    section(
-        "Ledger",
-        &format!("{image}{}\n{LEDGER_LEGEND}", table.to_markdown()),
-    )
+    let image = image(picture, "ledger.png", "Terms of the ledger against mesh size");
+    section("Ledger", &format!("{image}{}\n{LEDGER_LEGEND}", table.to_markdown()))
 }
 
 fn image(there: bool, file: &str, words: &str) -> String {
-    if there {
-        format!("![{words}]({file})\n\n")
-    } else {
-        String::new()
-    }
+    if there { format!("![{words}]({file})\n\n") } else { String::new() }
 }
 
 fn notes(record: &StudyRecord) -> String {
-    let lines: Vec<String> = record
-        .notes
-        .iter()
-        .map(|note| format!("- {note}"))
-        .collect();
+    let lines: Vec<String> = record.notes.iter().map(|note| format!("- {note}")).collect();
     section("Notes", &lines.join("\n"))
 }
 
@@ -283,10 +216,6 @@ pub fn command(record: &StudyRecord) -> String {
 }
 
 fn reproduce(record: &StudyRecord) -> String {
-    let tables =
-        "The same numbers with every digit: [table.csv](table.csv), [table.json](table.json).";
-    section(
-        "Reproduce it",
-        &format!("```sh\n{}\n```\n\n{tables}", command(record)),
-    )
+    let tables = "The same numbers with every digit: [table.csv](table.csv), [table.json](table.json).";
+    section("Reproduce it", &format!("```sh\n{}\n```\n\n{tables}", command(record)))
 }

@@ -28,12 +28,7 @@ impl Norm {
 
 macro_rules! errors_field {
     ($key:literal, $words:literal, $symbol:literal, $field:ident) => {
-        Norm {
-            key: $key,
-            words: $words,
-            symbol: $symbol,
-            value: |level| level.errors.$field,
-        }
+        Norm { key: $key, words: $words, symbol: $symbol, value: |level| level.errors.$field }
     };
 }
 
@@ -45,26 +40,11 @@ pub const NORMS: [Norm; 11] = [
     errors_field!("l2", "L²", "‖u−uₕ‖₀", l2),
     errors_field!("pressure_l2", "pressure L²", "‖p−pₕ‖₀", pressure_l2),
     errors_field!("pressure_dual", "pressure, dual", "‖p−pₕ‖₋½", pressure_dual),
-    errors_field!(
-        "penetration_l2",
-        "penetration",
-        "‖([uₕ]ₙ)₊‖₀",
-        penetration_l2
-    ),
+    errors_field!("penetration_l2", "penetration", "‖([uₕ]ₙ)₊‖₀", penetration_l2),
     errors_field!("contact_set", "contact set", "|C △ Cₕ|", contact_set),
     errors_field!("energy_gap", "energy gap", "L(uₕ)−L(u)", energy_gap),
-    errors_field!(
-        "interpolation",
-        "interpolation",
-        "√A(u−u_I,u−u_I)",
-        interpolation
-    ),
-    Norm {
-        key: "b_over_h2",
-        words: "ledger constant",
-        symbol: "b/h²",
-        value: b_over_h2,
-    },
+    errors_field!("interpolation", "interpolation", "√A(u−u_I,u−u_I)", interpolation),
+    Norm { key: "b_over_h2", words: "ledger constant", symbol: "b/h²", value: b_over_h2 },
 ];
 
 /// The norm of that key, if the catalogue has it.
@@ -91,10 +71,7 @@ pub fn pairwise(record: &StudyRecord, norm: &Norm, index: usize) -> Option<f64> 
         let stored = rate.pairwise.iter().find(|(level, _)| *level == fine.level);
         return stored.map(|(_, r)| *r);
     }
-    let coarse = record.levels[..index]
-        .iter()
-        .rev()
-        .find(|l| usable(l, norm))?;
+    let coarse = record.levels[..index].iter().rev().find(|l| usable(l, norm))?;
     if !usable(fine, norm) {
         return None;
     }

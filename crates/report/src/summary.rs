@@ -109,14 +109,7 @@ pub fn summary_markdown(records: &[StudyRecord]) -> String {
     }
     out += &markdown_table(records).to_markdown();
     let reasons: Vec<String> = (records.iter().filter(|r| verdict::needs_reason(r)))
-        .map(|r| {
-            format!(
-                "- **{}**, {}: {}\n",
-                name(r),
-                verdict::words(r),
-                verdict::why(r)
-            )
-        })
+        .map(|r| format!("- **{}**, {}: {}\n", name(r), verdict::words(r), verdict::why(r)))
         .collect();
     if !reasons.is_empty() {
         out += &format!("\n## Reasons\n\n{}", reasons.concat());
@@ -136,12 +129,7 @@ pub fn summary_text(records: &[StudyRecord]) -> String {
         out.push('\n');
     }
     for record in records.iter().filter(|r| verdict::needs_reason(r)) {
-        let line = format!(
-            "{}: {}: {}",
-            name(record),
-            verdict::words(record),
-            verdict::why(record)
-        );
+        let line = format!("{}: {}: {}", name(record), verdict::words(record), verdict::why(record));
         out += &text::wrap(&line, TEXT_WIDTH, 4);
         out.push('\n');
     }
@@ -163,50 +151,22 @@ fn markdown_table(records: &[StudyRecord]) -> Table {
     ];
     let rows = records.iter().map(|r| Row {
         cells: [
-            vec![
-                Cell::text(&r.claim),
-                Cell::text(&r.statement),
-                Cell::text(link(r)),
-                Cell::text(&r.case),
-            ],
+            vec![Cell::text(&r.claim), Cell::text(&r.statement), Cell::text(link(r)), Cell::text(&r.case)],
             figures(r, format::interval),
         ]
         .concat(),
         excluded: None,
     });
-    Table {
-        rows: rows.collect(),
-        columns: columns
-            .map(|(key, heading)| Column::new(key, heading))
-            .to_vec(),
-    }
+    Table { rows: rows.collect(), columns: columns.map(|(key, heading)| Column::new(key, heading)).to_vec() }
 }
 
 fn text_table(records: &[StudyRecord]) -> Table {
-    let columns = [
-        "study · case",
-        "claim",
-        "norm",
-        "observed, 95 %",
-        "paper",
-        "today",
-        "exp.",
-        "verdict",
-    ];
+    let columns = ["study · case", "claim", "norm", "observed, 95 %", "paper", "today", "exp.", "verdict"];
     let rows = records.iter().map(|r| Row {
-        cells: [
-            vec![Cell::text(name(r)), Cell::text(&r.claim)],
-            figures(r, format::half_interval),
-        ]
-        .concat(),
+        cells: [vec![Cell::text(name(r)), Cell::text(&r.claim)], figures(r, format::half_interval)].concat(),
         excluded: None,
     });
-    Table {
-        rows: rows.collect(),
-        columns: columns
-            .map(|heading| Column::new(heading, heading))
-            .to_vec(),
-    }
+    Table { rows: rows.collect(), columns: columns.map(|heading| Column::new(heading, heading)).to_vec() }
 }
 
 /// Norm, observed rate with its interval as `shown` writes it, the three bounds, verdict.
@@ -224,11 +184,7 @@ fn figures(record: &StudyRecord, shown: fn(f64, f64, f64) -> String) -> Vec<Cell
 
 /// `study · case`, or the study alone where it has one case.
 pub(crate) fn name(record: &StudyRecord) -> String {
-    if record.several {
-        format!("{} · {}", record.study, record.case)
-    } else {
-        record.study.clone()
-    }
+    if record.several { format!("{} · {}", record.study, record.case) } else { record.study.clone() }
 }
 
 pub(crate) fn reference_word(reference: &Reference) -> &'static str {
@@ -240,10 +196,6 @@ pub(crate) fn reference_word(reference: &Reference) -> &'static str {
 }
 
 fn link(record: &StudyRecord) -> String {
-    let folder = if record.several {
-        format!("{}/{}", record.study, record.case)
-    } else {
-        record.study.clone()
-    };
+    let folder = if record.several { format!("{}/{}", record.study, record.case) } else { record.study.clone() };
     format!("[{}]({folder}/report.md)", record.study)
 }

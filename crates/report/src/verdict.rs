@@ -52,10 +52,7 @@ pub fn words(record: &StudyRecord) -> String {
 
 /// Whether a reader of the summary is owed the reasons.
 pub fn needs_reason(record: &StudyRecord) -> bool {
-    !matches!(
-        standing(record),
-        Standing::Plain(Outcome::Pass) | Standing::ControlMet
-    )
+    !matches!(standing(record), Standing::Plain(Outcome::Pass) | Standing::ControlMet)
 }
 
 /// The reasons in one line.
@@ -65,11 +62,7 @@ pub fn why(record: &StudyRecord) -> String {
         let announced = record.expected_inconclusive.iter();
         reasons.extend(announced.map(|why| format!("expected at this size: {why}")));
     }
-    if reasons.is_empty() {
-        "no reason recorded".into()
-    } else {
-        reasons.join("; ")
-    }
+    if reasons.is_empty() { "no reason recorded".into() } else { reasons.join("; ") }
 }
 
 /// `14 cases: 12 pass, 1 fail, 1 inconclusive; 3 of 3 controls met`
@@ -90,11 +83,7 @@ pub fn counts(records: &[StudyRecord]) -> String {
     }
     let (met, missed) = (count(Standing::ControlMet), count(Standing::ControlMissed));
     if met + missed > 0 {
-        out += &format!(
-            "; {met} of {} control{} met",
-            met + missed,
-            if met + missed == 1 { "" } else { "s" }
-        );
+        out += &format!("; {met} of {} control{} met", met + missed, if met + missed == 1 { "" } else { "s" });
     }
     out
 }

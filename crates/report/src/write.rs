@@ -37,8 +37,5 @@ fn partial_name(path: &Path) -> PathBuf {
 }
 
 fn at(path: &Path, source: std::io::Error) -> ReportError {
-    ReportError::Io {
-        path: path.to_path_buf(),
-        source,
-    }
+    ReportError::Io { path: path.to_path_buf(), source }
 }

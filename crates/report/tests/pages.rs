@@ -2,9 +2,7 @@
 
 mod common;
 
-use signorini_report::{
-    ReportError, levels, markdown, render, render_summary, summary_text, table,
-};
+use signorini_report::{ReportError, levels, markdown, render, render_summary, summary_text, table};
 use signorini_study::record::{Outcome, StudyRecord};
 use std::fs;
 
@@ -16,19 +14,9 @@ fn csv_reads_back_as_the_same_numbers() -> Tested {
     let bytes = levels::all(&record).to_csv()?;
     let mut reader = csv::Reader::from_reader(bytes.as_slice());
     let header = reader.headers()?.clone();
-    let column = |key: &str| {
-        header
-            .iter()
-            .position(|h| h == key)
-            .ok_or(format!("no column {key}"))
-    };
-    let (h, strain, rate, lhs, b) = (
-        column("h")?,
-        column("strain")?,
-        column("strain_rate")?,
-        column("ledger_lhs")?,
-        column("ledger_b")?,
-    );
+    let column = |key: &str| header.iter().position(|h| h == key).ok_or(format!("no column {key}"));
+    let (h, strain, rate, lhs, b) =
+        (column("h")?, column("strain")?, column("strain_rate")?, column("ledger_lhs")?, column("ledger_b")?);
     let rows: Vec<csv::StringRecord> = reader.records().collect::<Result<_, _>>()?;
     assert_eq!(rows.len(), 7);
     for (row, level) in rows.iter().zip(&record.levels) {
@@ -88,13 +76,7 @@ fn a_number_that_is_none_is_refused_and_named() {
 #[test]
 fn page_answers_in_the_order_of_the_questions() {
     let record = common::healthy();
-    let page = markdown::page(
-        &record,
-        markdown::Pictures {
-            rates: true,
-            ledger: true,
-        },
-    );
+    let page = markdown::page(&record, markdown::Pictures { rates: true, ledger: true });
     let order = [
         "# Two blocks in flat contact",
         "**pass**",
@@ -118,11 +100,7 @@ fn page_answers_in_the_order_of_the_questions() {
     let mut from = 0;
     for words in order {
         let at = page[from..].find(words);
-        assert!(
-            at.is_some(),
-            "{words:?} is missing after\n{}",
-            &page[..from]
-        );
+        assert!(at.is_some(), "{words:?} is missing after\n{}", &page[..from]);
         from += at.unwrap_or(0);
     }
 }
@@ -131,16 +109,10 @@ fn page_answers_in_the_order_of_the_questions() {
 fn every_markdown_table_has_equal_rows() {
     for (name, record) in common::hard() {
         let page = markdown::page(&record, markdown::Pictures::default());
-        assert!(
-            !page.contains(".png"),
-            "{name}: a picture that is not there"
-        );
+        assert!(!page.contains(".png"), "{name}: a picture that is not there");
         let bars = |line: &str| line.replace("\\|", "").matches('|').count();
         let lines: Vec<&str> = page.lines().collect();
-        for pair in lines
-            .windows(2)
-            .filter(|p| p.iter().all(|line| line.starts_with("| ")))
-        {
+        for pair in lines.windows(2).filter(|p| p.iter().all(|line| line.starts_with("| "))) {
             assert_eq!(bars(pair[0]), bars(pair[1]), "{name}: {pair:?}");
         }
     }
@@ -152,20 +124,12 @@ fn greyed_levels_are_marked_with_their_reason() {
     record.levels[6].excluded = Some("reference contamination 7 %".into());
     let text = levels::errors(&record).to_markdown();
     assert!(text.contains("| *6* † |"), "{text}");
-    assert!(
-        text.contains("† level 6 is left out of the fit: reference contamination 7 %."),
-        "{text}"
-    );
+    assert!(text.contains("† level 6 is left out of the fit: reference contamination 7 %."), "{text}");
 }
 
 /// A control that fails as wanted, one that does not, an announced doubt.
 fn several() -> Vec<StudyRecord> {
-    let mut records = vec![
-        common::healthy(),
-        common::healthy(),
-        common::healthy(),
-        common::healthy(),
-    ];
+    let mut records = vec![common::healthy(), common::healthy(), common::healthy(), common::healthy()];
     records[1].expect = Some(Outcome::Fail);
     records[1].verdict.outcome = Outcome::Fail;
     records[2].expect = Some(Outcome::Fail);
@@ -179,15 +143,13 @@ fn several() -> Vec<StudyRecord> {
 #[test]
 fn terminal_summary_is_aligned_and_narrow() {
     let text = summary_text(&several());
-    assert!(
-        text.lines().all(|line| line.chars().count() <= 110),
-        "{text}"
-    );
+    assert!(text.lines().all(|line| line.chars().count() <= 110), "{text}");
     assert!(text.contains("thm31-flat-contact · criss-cross "), "{text}");
     assert!(text.contains("strain  1.000 ± 0.004 "), "{text}");
-    assert!(text.ends_with(
-        "4 cases: 1 pass, 0 fail, 1 inconclusive (1 expected at this size); 1 of 2 controls met\n"
-    ), "{text}");
+    assert!(
+        text.ends_with("4 cases: 1 pass, 0 fail, 1 inconclusive (1 expected at this size); 1 of 2 controls met\n"),
+        "{text}"
+    );
     let head: Vec<char> = text.lines().next().unwrap_or("").chars().collect();
     let verdict = head.len() - "verdict".len();
     let rows: Vec<&str> = text.lines().skip(2).take(4).collect();
@@ -209,14 +171,8 @@ fn summary_has_one_row_per_case() -> Tested {
     assert_eq!(rows[1]["expect"], "fail");
     assert!(rows[3]["rate"].is_null());
     let page = fs::read_to_string(dir.join("summary.md"))?;
-    assert!(
-        page.contains("(thm31-flat-contact/criss-cross/report.md)"),
-        "{page}"
-    );
-    assert!(
-        page.contains("expected at this size: the tiles shrink faster"),
-        "{page}"
-    );
+    assert!(page.contains("(thm31-flat-contact/criss-cross/report.md)"), "{page}");
+    assert!(page.contains("expected at this size: the tiles shrink faster"), "{page}");
     Ok(())
 }
 
@@ -225,31 +181,13 @@ fn render_writes_whole_files_and_the_same_bytes_twice() -> Tested {
     let dir = common::folder("render");
     let record = common::healthy();
     let files = render(&record, &dir)?;
-    let names: Vec<_> = files
-        .iter()
-        .filter_map(|f| f.file_name()?.to_str())
-        .collect();
-    assert_eq!(
-        names,
-        [
-            "report.md",
-            "table.csv",
-            "table.json",
-            "rates.png",
-            "rates.svg",
-            "ledger.png",
-            "ledger.svg"
-        ]
-    );
+    let names: Vec<_> = files.iter().filter_map(|f| f.file_name()?.to_str()).collect();
+    assert_eq!(names, ["report.md", "table.csv", "table.json", "rates.png", "rates.svg", "ledger.png", "ledger.svg"]);
     let read = || files.iter().map(fs::read).collect::<Result<Vec<_>, _>>();
     let first = read()?;
     render(&record, &dir)?;
     assert_eq!(first, read()?);
-    assert_eq!(
-        fs::read_dir(&dir)?.count(),
-        files.len(),
-        "temporary files are left"
-    );
+    assert_eq!(fs::read_dir(&dir)?.count(), files.len(), "temporary files are left");
     // A record without anything to plot takes its old pictures away.
     let mut empty = record;
     empty.levels.clear();
@@ -261,13 +199,7 @@ fn render_writes_whole_files_and_the_same_bytes_twice() -> Tested {
 #[test]
 fn plain_text_is_cut_to_its_width() {
     let column = table::Column::new("words", "words");
-    let row = |text: &str| table::Row {
-        cells: vec![table::Cell::text(text)],
-        excluded: None,
-    };
-    let table = table::Table {
-        columns: vec![column],
-        rows: vec![row("a rather long text"), row("short")],
-    };
+    let row = |text: &str| table::Row { cells: vec![table::Cell::text(text)], excluded: None };
+    let table = table::Table { columns: vec![column], rows: vec![row("a rather long text"), row("short")] };
     assert_eq!(table.to_text(10), "words\n──────────\na rather …\nshort\n");
 }

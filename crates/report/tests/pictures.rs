@@ -16,8 +16,7 @@ fn size(png: &[u8]) -> (u32, u32) {
 
 #[test]
 fn png_has_its_size_and_the_same_bytes_twice() -> Result<(), ReportError> {
-    let chart =
-        plot::rates(&common::healthy()).ok_or_else(|| ReportError::Picture("no chart".into()))?;
+    let chart = plot::rates(&common::healthy()).ok_or_else(|| ReportError::Picture("no chart".into()))?;
     let (first, second) = (plot::png(&chart)?, plot::png(&chart)?);
     assert_eq!(first[..8], PNG_HEAD);
     assert_eq!(size(&first), (WIDTH, HEIGHT));
@@ -31,10 +30,7 @@ fn hard_records_are_drawn_or_declined() -> Result<(), Box<dyn std::error::Error>
     let dir = common::folder("hard");
     fs::create_dir_all(&dir)?;
     for (name, record) in common::hard() {
-        for (kind, chart) in [
-            ("rates", plot::rates(&record)),
-            ("ledger", plot::ledger(&record)),
-        ] {
+        for (kind, chart) in [("rates", plot::rates(&record)), ("ledger", plot::ledger(&record))] {
             if let Some(chart) = chart {
                 let png = plot::png(&chart)?;
                 assert_eq!(size(&png), (WIDTH, HEIGHT), "{name}");
@@ -52,16 +48,7 @@ fn nothing_to_plot_gives_no_picture() {
         let empty = ["no-level", "all-null", "all-zero"].contains(&name);
         assert_eq!(plot::rates(&record).is_none(), empty, "{name}");
     }
-    assert!(
-        plot::ledger(&common::record(
-            5,
-            (1.0, 1.0),
-            (1.0, 1.0),
-            (1.0, 1.0),
-            (1.0, 2.0)
-        ))
-        .is_none()
-    );
+    assert!(plot::ledger(&common::record(5, (1.0, 1.0), (1.0, 1.0), (1.0, 1.0), (1.0, 2.0))).is_none());
 }
 
 #[test]
@@ -80,13 +67,7 @@ fn chart_holds_the_numbers_of_the_record() -> Result<(), &'static str> {
         assert!((band.line_at(mark.h.ln()) - mark.value.ln()).abs() < 1e-12);
     }
     assert_eq!(chart.slopes.len(), 1);
-    assert_eq!(
-        (
-            chart.slopes[0].label.as_str(),
-            chart.slopes[0].source.as_str()
-        ),
-        ("O(h)", "paper, today, expected")
-    );
+    assert_eq!((chart.slopes[0].label.as_str(), chart.slopes[0].source.as_str()), ("O(h)", "paper, today, expected"));
     Ok(())
 }
 
@@ -95,13 +76,7 @@ fn ledger_sums_its_terms_and_squares_the_bound() -> Result<(), &'static str> {
     let mut record = common::healthy();
     record.bounds.paper = Some(0.75);
     let chart = plot::ledger(&record).ok_or("no chart")?;
-    let value = |label: &str| {
-        chart
-            .curves
-            .iter()
-            .find(|c| c.label == label)
-            .map(|c| c.marks[2].value)
-    };
+    let value = |label: &str| chart.curves.iter().find(|c| c.label == label).map(|c| c.marks[2].value);
     let (Some(sum), Some(a), Some(b)) = (value("a + b"), value("a"), value("b")) else {
         return Err("a term is missing");
     };
@@ -113,32 +88,14 @@ fn ledger_sums_its_terms_and_squares_the_bound() -> Result<(), &'static str> {
 
 #[test]
 fn greyed_levels_and_zero_terms_are_said() -> Result<(), &'static str> {
-    let (_, record) = common::hard()
-        .into_iter()
-        .find(|(n, _)| *n == "broken-ledger")
-        .ok_or("no record")?;
+    let (_, record) = common::hard().into_iter().find(|(n, _)| *n == "broken-ledger").ok_or("no record")?;
     let rates = plot::rates(&record).ok_or("no chart")?;
     let grey = |m: &plot::Mark| m.kind == plot::MarkKind::Greyed;
     assert_eq!(rates.curves[0].marks.iter().filter(|m| grey(m)).count(), 2);
-    assert!(
-        rates.remarks[0].contains("levels 5–6: reference contamination"),
-        "{:?}",
-        rates.remarks
-    );
+    assert!(rates.remarks[0].contains("levels 5–6: reference contamination"), "{:?}", rates.remarks);
     let ledger = plot::ledger(&record).ok_or("no chart")?;
     assert!(ledger.curves.iter().all(|c| c.label != "b"));
-    assert!(
-        ledger
-            .remarks
-            .iter()
-            .any(|r| r.contains("b is zero on levels 0–6")),
-        "{:?}",
-        ledger.remarks
-    );
-    assert!(
-        ledger.subtitle[1].contains("BROKEN on levels 2, 5"),
-        "{:?}",
-        ledger.subtitle
-    );
+    assert!(ledger.remarks.iter().any(|r| r.contains("b is zero on levels 0–6")), "{:?}", ledger.remarks);
+    assert!(ledger.subtitle[1].contains("BROKEN on levels 2, 5"), "{:?}", ledger.subtitle);
     Ok(())
 }

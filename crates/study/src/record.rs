@@ -163,17 +163,8 @@ pub struct Errors {
 
 impl Errors {
     /// Names of the errors that a rate is fitted to, in the order of the record.
-    pub const NORMS: [&'static str; 9] = [
-        "strain",
-        "energy",
-        "h1",
-        "l2",
-        "pressure_l2",
-        "pressure_dual",
-        "penetration_l2",
-        "contact_set",
-        "energy_gap",
-    ];
+    pub const NORMS: [&'static str; 9] =
+        ["strain", "energy", "h1", "l2", "pressure_l2", "pressure_dual", "penetration_l2", "contact_set", "energy_gap"];
 
     /// The error of the given name; the signed `energy_gap` by its absolute value. `None` for a missing value and for
     /// a name that is not in [`Errors::NORMS`].
@@ -407,10 +398,7 @@ mod tests {
         let record = sample::record("s", "s", sample::levels(4, |h| h));
         let value: serde_json::Value = serde_json::from_str(&record.to_json().unwrap()).unwrap();
         assert!(value["levels"][0]["errors"]["pressure_l2"].is_null());
-        assert_eq!(
-            value["levels"][0]["errors"]["energy"],
-            record.levels[0].errors.energy.unwrap()
-        );
+        assert_eq!(value["levels"][0]["errors"]["energy"], record.levels[0].errors.energy.unwrap());
     }
 
     #[test]
@@ -418,27 +406,12 @@ mod tests {
         let clean = sample::record("s", "s", sample::levels(4, |h| h));
         type Spoil = fn(&mut StudyRecord);
         let spoilt: [(Spoil, &str); 6] = [
-            (
-                |r| r.levels[3].errors.strain = Some(f64::NAN),
-                "levels[3].errors.strain",
-            ),
+            (|r| r.levels[3].errors.strain = Some(f64::NAN), "levels[3].errors.strain"),
             (|r| r.levels[1].energy = f64::INFINITY, "levels[1].energy"),
-            (
-                |r| r.levels[2].errors.strain_bodies = Some([0.0, f64::NAN]),
-                "levels[2].errors.strain_bodies[1]",
-            ),
-            (
-                |r| r.rates.get_mut("energy").unwrap().pairwise[0].1 = f64::NAN,
-                "rates.energy.pairwise[0][1]",
-            ),
-            (
-                |r| drop(r.parameters.insert("k".into(), f64::NEG_INFINITY)),
-                "parameters.k",
-            ),
-            (
-                |r| overkill(r).clone_from(&f64::NAN),
-                "reference.overkill.energy",
-            ),
+            (|r| r.levels[2].errors.strain_bodies = Some([0.0, f64::NAN]), "levels[2].errors.strain_bodies[1]"),
+            (|r| r.rates.get_mut("energy").unwrap().pairwise[0].1 = f64::NAN, "rates.energy.pairwise[0][1]"),
+            (|r| drop(r.parameters.insert("k".into(), f64::NEG_INFINITY)), "parameters.k"),
+            (|r| overkill(r).clone_from(&f64::NAN), "reference.overkill.energy"),
         ];
         for (spoil, place) in spoilt {
             let mut record = clean.clone();
@@ -470,17 +443,8 @@ mod tests {
 
     #[test]
     fn another_schema_is_told_apart_from_nonsense() {
-        assert!(matches!(
-            StudyRecord::from_json(r#"{"schema": 99}"#),
-            Err(RecordError::Schema { found: 99 })
-        ));
-        assert!(matches!(
-            StudyRecord::from_json(r#"{"schema": 1}"#),
-            Err(RecordError::Json(_))
-        ));
-        assert!(matches!(
-            StudyRecord::from_json("nonsense"),
-            Err(RecordError::Json(_))
-        ));
+        assert!(matches!(StudyRecord::from_json(r#"{"schema": 99}"#), Err(RecordError::Schema { found: 99 })));
+        assert!(matches!(StudyRecord::from_json(r#"{"schema": 1}"#), Err(RecordError::Json(_))));
+        assert!(matches!(StudyRecord::from_json("nonsense"), Err(RecordError::Json(_))));
     }
 }

@@ -22,15 +22,8 @@ impl Mesh {
     /// # Errors
     /// [`Error::Mesh`] for the first of these that fails, and for points that are not finite, indices out of range, clockwise or
     /// degenerate triangles, overlapping triangles, unused nodes, parts that match no side, repeated names.
-    pub fn build(
-        bodies: [Triangulation; 2],
-        parts: &[PartOutline],
-        contact: &[Point],
-    ) -> Result<Self, Error> {
-        let sides = [
-            bodies[0].check(Body::First)?,
-            bodies[1].check(Body::Second)?,
-        ];
+    pub fn build(bodies: [Triangulation; 2], parts: &[PartOutline], contact: &[Point]) -> Result<Self, Error> {
+        let sides = [bodies[0].check(Body::First)?, bodies[1].check(Body::Second)?];
         let free = [0, 1].map(|b| bodies[b].free_sides(&sides[b]));
         let tolerance = TOLERANCE * diameter(&bodies);
         outline::check(parts, contact, tolerance)?;
@@ -39,13 +32,7 @@ impl Mesh {
             Outlines::new(body, parts, contact, tolerance).owners(&bodies[b], &free[b])
         };
         let owners = [owners(Body::First)?, owners(Body::Second)?];
-        let matched = match_sides(
-            &bodies,
-            [&free[0], &free[1]],
-            [&owners[0], &owners[1]],
-            contact,
-            tolerance,
-        )?;
+        let matched = match_sides(&bodies, [&free[0], &free[1]], [&owners[0], &owners[1]], contact, tolerance)?;
         let mut mesh = join(bodies, parts);
         for body in Body::BOTH {
             mesh.name_sides(body, &free[body.index()], &owners[body.index()]);
@@ -101,10 +88,7 @@ fn join([first, second]: [Triangulation; 2], parts: &[PartOutline]) -> Mesh {
     let (mut points, mut triangles) = (first.points, first.triangles);
     points.extend(second.points);
     triangles.extend(second.triangles.iter().map(|t| t.map(|i| i + offset)));
-    let name = |p: &PartOutline| PartName {
-        body: p.body,
-        name: p.name.clone(),
-    };
+    let name = |p: &PartOutline| PartName { body: p.body, name: p.name.clone() };
     Mesh {
         points,
         node_bodies,

@@ -39,11 +39,7 @@ pub(super) fn match_sides(
     Ok(first
         .iter()
         .zip(&second)
-        .map(|(f, s)| ContactSide {
-            first: f.nodes,
-            second: s.nodes,
-            segment: f.segment,
-        })
+        .map(|(f, s)| ContactSide { first: f.nodes, second: s.nodes, segment: f.segment })
         .collect())
 }
 
@@ -61,48 +57,24 @@ fn sort_along(
             let [a, b] = side.nodes.map(|i| line.parameter(mesh.points[i as usize]));
             let [n, m] = side.nodes;
             let nodes = if a < b { [n, m] } else { [m, n] };
-            sides.push((
-                Oriented {
-                    segment,
-                    place: 0.5 * (a + b),
-                    nodes,
-                },
-                a < b,
-            ));
+            sides.push((Oriented { segment, place: 0.5 * (a + b), nodes }, a < b));
         }
     }
     sides.sort_by(|(a, _), (b, _)| (a.segment.cmp(&b.segment)).then(a.place.total_cmp(&b.place)));
     sides.into_iter().unzip()
 }
 
-fn check_orientation(
-    bodies: &[Triangulation; 2],
-    sorted: &[(Vec<Oriented>, Vec<bool>); 2],
-) -> Result<(), Error> {
+fn check_orientation(bodies: &[Triangulation; 2], sorted: &[(Vec<Oriented>, Vec<bool>); 2]) -> Result<(), Error> {
     let wrong = |b: usize, left: bool| sorted[b].1.iter().position(|&l| l != left);
     let (first, second) = (wrong(0, true), wrong(1, false));
     let (body, place, hint) = match (first, second) {
         (None, None) => return Ok(()),
-        (Some(i), Some(_)) => (
-            Body::First,
-            i,
-            "reverse the polyline, or exchange the bodies",
-        ),
-        (Some(i), None) => (
-            Body::First,
-            i,
-            "both bodies lie on its right: they must not overlap",
-        ),
-        (None, Some(i)) => (
-            Body::Second,
-            i,
-            "both bodies lie on its left: they must not overlap",
-        ),
+        (Some(i), Some(_)) => (Body::First, i, "reverse the polyline, or exchange the bodies"),
+        (Some(i), None) => (Body::First, i, "both bodies lie on its right: they must not overlap"),
+        (None, Some(i)) => (Body::Second, i, "both bodies lie on its left: they must not overlap"),
     };
     let b = body.index();
-    let [a, c] = sorted[b].0[place]
-        .nodes
-        .map(|i| bodies[b].points[i as usize]);
+    let [a, c] = sorted[b].0[place].nodes.map(|i| bodies[b].points[i as usize]);
     Err(mesh_error(format!(
         "{body} lies on the wrong side of the contact polyline, e.g. between {} and {}; Ω' must lie on its left and \
          Ω'' on its right: {hint}",

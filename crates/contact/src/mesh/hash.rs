@@ -10,9 +10,7 @@ impl Mesh {
     /// accident, not against malice.
     pub fn hash(&self) -> String {
         let mut hash = Fnv1a::default();
-        hash.list(&self.points, |h, p| {
-            h.numbers([p.x.to_bits(), p.y.to_bits()])
-        });
+        hash.list(&self.points, |h, p| h.numbers([p.x.to_bits(), p.y.to_bits()]));
         hash.list(&self.node_bodies, |h, b| h.numbers([b.index() as u64]));
         hash.list(&self.triangles, |h, t| h.numbers(t.map(u64::from)));
         hash.numbers([self.first_triangles as u64]);

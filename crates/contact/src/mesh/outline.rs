@@ -54,21 +54,14 @@ pub(super) fn check(parts: &[PartOutline], contact: &[Point], tolerance: f64) ->
                 part.body, part.name
             )));
         }
-        check_polyline(
-            &format!("part \"{}\" of {}", part.name, part.body),
-            &part.along,
-            tolerance,
-        )?;
+        check_polyline(&format!("part \"{}\" of {}", part.name, part.body), &part.along, tolerance)?;
     }
     check_polyline("the contact polyline", contact, tolerance)
 }
 
 fn check_polyline(name: &str, along: &[Point], tolerance: f64) -> Result<(), Error> {
     if along.len() < 2 {
-        return Err(mesh_error(format!(
-            "{name} has {} points; a polyline needs two",
-            along.len()
-        )));
+        return Err(mesh_error(format!("{name} has {} points; a polyline needs two", along.len())));
     }
     let bad = |s: &Segment| !s.length().is_finite() || s.length() <= tolerance;
     match segments(along).find(bad) {
@@ -100,11 +93,7 @@ impl<'a> Outlines<'a> {
             owner: |_, segment| Owner::Contact(segment as u16),
             index: 0,
         });
-        Self {
-            body,
-            lines,
-            tolerance,
-        }
+        Self { body, lines, tolerance }
     }
 
     /// The owner of each free side. Refused: a corner or end of a polyline that is no node, a side on no polyline or
@@ -129,8 +118,7 @@ impl<'a> Outlines<'a> {
 
     fn owner(&self, [a, b]: [Point; 2]) -> Result<(usize, Owner), Error> {
         let on = |line: &Line| {
-            segments(line.along)
-                .position(|s| s.distance(a) <= self.tolerance && s.distance(b) <= self.tolerance)
+            segments(line.along).position(|s| s.distance(a) <= self.tolerance && s.distance(b) <= self.tolerance)
         };
         let mut hits = (0..self.lines.len()).filter_map(|l| on(&self.lines[l]).map(|s| (l, s)));
         let (first, second) = (hits.next(), hits.next());
@@ -154,12 +142,7 @@ impl<'a> Outlines<'a> {
         )))
     }
 
-    fn check_corners(
-        &self,
-        line: &Line,
-        mesh: &Triangulation,
-        free: &[FreeSide],
-    ) -> Result<(), Error> {
+    fn check_corners(&self, line: &Line, mesh: &Triangulation, free: &[FreeSide]) -> Result<(), Error> {
         for &corner in line.along {
             let (node, distance) = nearest(corner, free.iter().map(|s| s.nodes[0]), &mesh.points);
             if distance > self.tolerance {
@@ -203,7 +186,5 @@ impl<'a> Outlines<'a> {
 pub(super) fn nearest(x: Point, nodes: impl Iterator<Item = u32>, points: &[Point]) -> (u32, f64) {
     nodes
         .map(|i| (i, (points[i as usize] - x).norm()))
-        .fold((0, f64::INFINITY), |best, next| {
-            if next.1 < best.1 { next } else { best }
-        })
+        .fold((0, f64::INFINITY), |best, next| if next.1 < best.1 { next } else { best })
 }

@@ -27,11 +27,7 @@ impl Mesh {
             }
             cotangent = f64::max(cotangent, largest_cotangent(corners));
         }
-        Quality {
-            h: longest,
-            min_angle: f64::atan2(1.0, cotangent).to_degrees(),
-            side_ratio: longest / shortest,
-        }
+        Quality { h: longest, min_angle: f64::atan2(1.0, cotangent).to_degrees(), side_ratio: longest / shortest }
     }
 }
 

@@ -40,9 +40,7 @@ impl Sides {
 
     /// The triangles of side `e`, each with the local number of the side in it.
     pub fn owners(&self, e: usize) -> impl ExactSizeIterator<Item = (u32, usize)> + '_ {
-        self.incidences[self.start[e] as usize..self.start[e + 1] as usize]
-            .iter()
-            .map(|&k| (k / 3, k as usize % 3))
+        self.incidences[self.start[e] as usize..self.start[e + 1] as usize].iter().map(|&k| (k / 3, k as usize % 3))
     }
 
     /// The number of the side with the ends `a`, `b` in either order.

@@ -49,10 +49,7 @@ impl Triangulation {
             for i in 0..3 {
                 if sides.owners(sides.of[t][i] as usize).len() == 1 {
                     let nodes = side_nodes(triangle, i);
-                    free.push(FreeSide {
-                        nodes,
-                        triangle: t as u32,
-                    });
+                    free.push(FreeSide { nodes, triangle: t as u32 });
                 }
             }
         }
@@ -61,9 +58,7 @@ impl Triangulation {
 
     fn check_sizes(&self, body: Body) -> Result<(), Error> {
         if self.triangles.is_empty() {
-            return Err(mesh_error(format!(
-                "{body} has no triangle; give it at least one"
-            )));
+            return Err(mesh_error(format!("{body} has no triangle; give it at least one")));
         }
         let largest = u32::MAX as usize / 8;
         if self.triangles.len().max(self.points.len()) > largest {
@@ -77,11 +72,7 @@ impl Triangulation {
     }
 
     fn check_points(&self, body: Body) -> Result<(), Error> {
-        match self
-            .points
-            .iter()
-            .position(|p| !(p.x.is_finite() && p.y.is_finite()))
-        {
+        match self.points.iter().position(|p| !(p.x.is_finite() && p.y.is_finite())) {
             None => Ok(()),
             Some(i) => Err(mesh_error(format!(
                 "node {i} of {body} lies at {}; coordinates must be finite: check how it was computed",
@@ -92,10 +83,7 @@ impl Triangulation {
 
     fn check_triangle(&self, body: Body, t: usize) -> Result<(), Error> {
         let triangle = self.triangles[t];
-        if let Some(i) = triangle
-            .into_iter()
-            .find(|&i| i as usize >= self.points.len())
-        {
+        if let Some(i) = triangle.into_iter().find(|&i| i as usize >= self.points.len()) {
             return Err(mesh_error(format!(
                 "triangle {t} of {body} has the corner {i}, but there are {} nodes, numbered from 0: \
                  mend the index",

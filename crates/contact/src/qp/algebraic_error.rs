@@ -98,10 +98,7 @@ fn solve_block(block: [f64; 4], r: [f64; 2]) -> [f64; 2] {
     let [a, b, _, d] = block;
     let determinant = a * d - b * b;
     if determinant > NO_STIFFNESS * a * d {
-        return [
-            (d * r[0] - b * r[1]) / determinant,
-            (a * r[1] - b * r[0]) / determinant,
-        ];
+        return [(d * r[0] - b * r[1]) / determinant, (a * r[1] - b * r[0]) / determinant];
     }
     let divide = |r: f64, k: f64| if k > 0.0 { r / k } else { 0.0 };
     [divide(r[0], a), divide(r[1], d)]

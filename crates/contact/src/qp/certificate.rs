@@ -34,12 +34,7 @@ pub struct Certificate {
 }
 
 /// The certificate of `x` (length of the load) and `multipliers` (one per bound).
-pub fn certify(
-    qp: &BoundQp,
-    x: &[f64],
-    multipliers: &[f64],
-    scales: &CertificateScales,
-) -> Certificate {
+pub fn certify(qp: &BoundQp, x: &[f64], multipliers: &[f64], scales: &CertificateScales) -> Certificate {
     let slack: Vec<f64> = qp.bounds.iter().map(|b| b.upper - x[b.dof as usize]).collect();
     let max_multiplier = largest(multipliers);
     let small_slack = WEAK * scales.displacement;
@@ -51,9 +46,7 @@ pub fn certify(
         penetration: ratio(largest_deficit(&slack), scales.displacement),
         tension: ratio(largest_deficit(multipliers), max_multiplier),
         complementarity: ratio(products.sum(), scales.energy),
-        weakly_active: pairs()
-            .filter(|&(multiplier, slack)| !presses(multiplier) && slack < small_slack)
-            .count(),
+        weakly_active: pairs().filter(|&(multiplier, slack)| !presses(multiplier) && slack < small_slack).count(),
         max_multiplier,
         active: pairs().filter(|&(multiplier, _)| presses(multiplier)).count(),
     }

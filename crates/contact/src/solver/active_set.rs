@@ -50,12 +50,7 @@ pub fn primal_dual(qp: &DenseQp, max_steps: usize, history: &mut Vec<usize>) -> 
         x = face_minimiser(qp, &active, &face, &x);
         let next = next_set(qp, &active, &x);
         if next == active {
-            return PrimalDual::Solved(DenseSolution {
-                x,
-                active,
-                face,
-                steps: step,
-            });
+            return PrimalDual::Solved(DenseSolution { x, active, face, steps: step });
         }
         active = next;
     }
@@ -79,11 +74,7 @@ fn next_set(qp: &DenseQp, active: &[bool], x: &[f64]) -> Vec<bool> {
     let tolerance = qp.tolerance(x);
     let multipliers = qp.residual(x);
     let stays = |i: usize| {
-        if active[i] {
-            multipliers[i] > -tolerance
-        } else {
-            qp.matrix[(i, i)] * (x[i] - qp.upper[i]) > tolerance
-        }
+        if active[i] { multipliers[i] > -tolerance } else { qp.matrix[(i, i)] * (x[i] - qp.upper[i]) > tolerance }
     };
     (0..qp.len()).map(stays).collect()
 }
@@ -114,7 +105,5 @@ fn pack(active: &[bool]) -> Vec<u64> {
 
 /// The FNV-1a hash, by words.
 fn fnv(words: &[u64]) -> u64 {
-    words.iter().fold(0xcbf2_9ce4_8422_2325, |hash, word| {
-        (hash ^ word).wrapping_mul(0x0100_0000_01b3)
-    })
+    words.iter().fold(0xcbf2_9ce4_8422_2325, |hash, word| (hash ^ word).wrapping_mul(0x0100_0000_01b3))
 }

@@ -58,12 +58,7 @@ impl Cholesky {
         let order = elimination_order(matrix, &numbering, trailing);
         let symbolic = analyse(&triangle, &order);
         let values = factorise(&triangle, &symbolic)?;
-        let factor = Self {
-            numbering,
-            symbolic,
-            values,
-            trailing: trailing.len(),
-        };
+        let factor = Self { numbering, symbolic, values, trailing: trailing.len() };
         factor.check_order(&order);
         factor.check_pivots(&triangle, &order)?;
         Ok(factor)
@@ -126,9 +121,7 @@ impl Cholesky {
     /// The numeric factor, unless there is nothing to factor.
     fn supernodes(&self) -> Option<SupernodalLltRef<'_, usize, f64>> {
         match self.symbolic.raw() {
-            SymbolicCholeskyRaw::Supernodal(symbolic) => {
-                Some(SupernodalLltRef::new(symbolic, &self.values))
-            }
+            SymbolicCholeskyRaw::Supernodal(symbolic) => Some(SupernodalLltRef::new(symbolic, &self.values)),
             SymbolicCholeskyRaw::Simplicial(_) => {
                 assert_eq!(self.dimension(), 0, "a supernodal factor was asked for");
                 None
@@ -143,11 +136,7 @@ impl Cholesky {
     }
 
     /// A singular matrix often passes with pivots of rounding size: compare `L_jj²` with the diagonal of `K + Σ`.
-    fn check_pivots(
-        &self,
-        triangle: &UpperTriangle,
-        order: &[usize],
-    ) -> Result<(), NotPositiveDefinite> {
+    fn check_pivots(&self, triangle: &UpperTriangle, order: &[usize]) -> Result<(), NotPositiveDefinite> {
         let diagonal = |unknown: usize| triangle.values[triangle.column_start[unknown + 1] - 1];
         let mut singular = false;
         self.for_each_entry(0, |row, column, value| {
@@ -182,10 +171,7 @@ fn analyse(triangle: &UpperTriangle, order: &[usize]) -> SymbolicCholesky<usize>
 }
 
 /// The entries of `L`, as the symbolic factor lays them out.
-fn factorise(
-    triangle: &UpperTriangle,
-    symbolic: &SymbolicCholesky<usize>,
-) -> Result<Vec<f64>, NotPositiveDefinite> {
+fn factorise(triangle: &UpperTriangle, symbolic: &SymbolicCholesky<usize>) -> Result<Vec<f64>, NotPositiveDefinite> {
     let mut values = vec![0.0; symbolic.len_val()];
     let scratch = symbolic.factorize_numeric_llt_scratch::<f64>(Par::Seq, Spec::default());
     symbolic
@@ -205,11 +191,5 @@ fn factorise(
 /// The pattern in faer's terms.
 fn pattern(triangle: &UpperTriangle) -> SymbolicSparseColMatRef<'_, usize> {
     let n = triangle.column_start.len() - 1;
-    SymbolicSparseColMatRef::new_checked(
-        n,
-        n,
-        &triangle.column_start,
-        None,
-        &triangle.rows,
-    )
+    SymbolicSparseColMatRef::new_checked(n, n, &triangle.column_start, None, &triangle.rows)
 }

@@ -39,13 +39,7 @@ pub fn solve(qp: &BoundQp, settings: &Settings) -> QpSolution {
     let (status, solution) = solve_dense(&dense, settings, &mut answer.history);
     answer.iterations = answer.history.len();
     if let Some(solution) = solution {
-        let expansion = Expansion {
-            qp,
-            condensation,
-            dense,
-            solution,
-            held,
-        };
+        let expansion = Expansion { qp, condensation, dense, solution, held };
         answer.x = expansion.refined();
         answer.status = status;
         finish(qp, &expansion.solution.active, &mut answer);
@@ -70,11 +64,7 @@ pub(super) fn finish(qp: &BoundQp, active: &[bool], answer: &mut QpSolution) {
 }
 
 /// The primal–dual active set, and the monotone method if it stops short. No solution if there is no minimum.
-fn solve_dense(
-    dense: &DenseQp,
-    settings: &Settings,
-    history: &mut Vec<usize>,
-) -> (Status, Option<DenseSolution>) {
+fn solve_dense(dense: &DenseQp, settings: &Settings, history: &mut Vec<usize>) -> (Status, Option<DenseSolution>) {
     let (cycle, x) = match primal_dual(dense, settings.max_steps, history) {
         PrimalDual::Solved(solution) => {
             let steps = solution.steps;
@@ -133,8 +123,7 @@ impl Expansion<'_> {
         for (multiplier, active) in multipliers.iter_mut().zip(&self.solution.active) {
             *multiplier *= f64::from(u8::from(*active));
         }
-        self.condensation
-            .back_substitute(load, bounded, &multipliers)
+        self.condensation.back_substitute(load, bounded, &multipliers)
     }
 
     /// The solution of the linear problem on the face, with the residual as load and zero on the active bounds.

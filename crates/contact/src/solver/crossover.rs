@@ -51,11 +51,7 @@ fn corrected(qp: &BoundQp, active: &[bool], x: &[f64]) -> Vec<bool> {
     let tolerance = ROUNDING * (qp.matrix.norm_inf() * largest(x) + largest(&qp.load));
     let stays = |(bound, &active): (&crate::qp::Bound, &bool)| {
         let dof = bound.dof as usize;
-        if active {
-            reaction[dof] > -tolerance
-        } else {
-            stiffness(qp, dof) * (x[dof] - bound.upper) > tolerance
-        }
+        if active { reaction[dof] > -tolerance } else { stiffness(qp, dof) * (x[dof] - bound.upper) > tolerance }
     };
     qp.bounds.iter().zip(active).map(stays).collect()
 }

@@ -71,11 +71,7 @@ impl DenseQp {
 
     /// Column `j` of `S`.
     pub fn column(&self, j: usize) -> &[f64] {
-        self.matrix
-            .col(j)
-            .try_as_col_major()
-            .expect("a matrix is stored by columns")
-            .as_slice()
+        self.matrix.col(j).try_as_col_major().expect("a matrix is stored by columns").as_slice()
     }
 }
 
@@ -94,11 +90,7 @@ impl Face {
         let plain = factor(qp, &free, 0.0);
         let singular = plain.is_none() && !free.is_empty();
         let factor = plain.or_else(|| factor(qp, &free, PROXIMAL));
-        Self {
-            free,
-            factor,
-            singular,
-        }
+        Self { free, factor, singular }
     }
 
     /// Whether `S_II` is singular, so that [`solve`](Self::solve) is a proximal step only.

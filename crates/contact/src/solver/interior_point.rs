@@ -17,9 +17,7 @@ use super::kernel::{anchors, impose_conditions};
 use super::{QpSolution, Settings, Status};
 use crate::qp::{BoundQp, energy, largest};
 use clarabel::algebra::CscMatrix;
-use clarabel::solver::{
-    DefaultSettings, DefaultSolver, IPSolver, NonnegativeConeT, SolverStatus, SupportedConeT,
-};
+use clarabel::solver::{DefaultSettings, DefaultSolver, IPSolver, NonnegativeConeT, SolverStatus, SupportedConeT};
 
 /// Solves with changed scales after the first.
 const RESCALINGS: usize = 2;
@@ -71,11 +69,7 @@ impl<'a> Problem<'a> {
         let triangle = UpperTriangle::new(&qp.matrix, &numbering);
         let n = numbering.kept.len();
         let (start, rows) = (triangle.column_start, triangle.rows);
-        Self {
-            qp,
-            numbering,
-            matrix: CscMatrix::new(n, n, start, rows, triangle.values),
-        }
+        Self { qp, numbering, matrix: CscMatrix::new(n, n, start, rows, triangle.values) }
     }
 
     /// Solves, and once more with better scales where the result shows that they were wrong.
@@ -98,26 +92,19 @@ impl<'a> Problem<'a> {
     fn first_scales(&self) -> Scales {
         let load = &self.qp.load;
         let diagonal = |i: usize| self.qp.matrix.diagonal_block(i / 2)[3 * (i % 2)];
-        let direction: Vec<f64> = (0..load.len())
-            .map(|i| if diagonal(i) > 0.0 { load[i] / diagonal(i) } else { 0.0 })
-            .collect();
+        let direction: Vec<f64> =
+            (0..load.len()).map(|i| if diagonal(i) > 0.0 { load[i] / diagonal(i) } else { 0.0 }).collect();
         let work: f64 = load.iter().zip(&direction).map(|(f, d)| f * d).sum();
         // ½ dᵀKd
         let stiffness = energy(self.qp, &direction) + work;
         if work > 0.0 && stiffness > 0.0 {
             let length = 0.5 * work / stiffness;
-            return Scales {
-                size: length * largest(&direction),
-                energy: 0.5 * length * work,
-            };
+            return Scales { size: length * largest(&direction), energy: 0.5 * length * work };
         }
         let bounds: Vec<f64> = self.qp.bounds.iter().map(|b| b.upper).collect();
         let size = if largest(&bounds) > 0.0 { largest(&bounds) } else { 1.0 };
         let stiffness = self.qp.matrix.norm_inf().max(f64::MIN_POSITIVE);
-        Scales {
-            size,
-            energy: stiffness * size * size,
-        }
+        Scales { size, energy: stiffness * size * size }
     }
 
     fn solve_scaled(&self, settings: &Settings, scales: Scales, answer: &mut QpSolution) {
@@ -130,9 +117,8 @@ impl<'a> Problem<'a> {
         let cones = [NonnegativeConeT(upper.len())];
         let cones: &[SupportedConeT<f64>] = if upper.is_empty() { &[] } else { &cones };
         let options = options(settings.tolerance);
-        let mut solver =
-            DefaultSolver::new(&matrix, &load, &self.selection(), &upper, cones, options)
-                .expect("matrices and vectors of matching sizes");
+        let mut solver = DefaultSolver::new(&matrix, &load, &self.selection(), &upper, cones, options)
+            .expect("matrices and vectors of matching sizes");
         solver.solve();
         let solution = &solver.solution;
         let y: Vec<f64> = solution.x.iter().map(|y| y * size).collect();
@@ -176,9 +162,7 @@ fn options(tolerance: f64) -> DefaultSettings<f64> {
 fn status(status: SolverStatus, steps: usize) -> Status {
     match status {
         SolverStatus::Solved => Status::Converged { steps },
-        SolverStatus::DualInfeasible | SolverStatus::AlmostDualInfeasible => {
-            Status::NotPositiveDefinite
-        }
+        SolverStatus::DualInfeasible | SolverStatus::AlmostDualInfeasible => Status::NotPositiveDefinite,
         _ => Status::IterationLimit { steps },
     }
 }

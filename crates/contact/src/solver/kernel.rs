@@ -52,9 +52,7 @@ pub fn impose_conditions(qp: &BoundQp, x: &mut [f64]) -> Option<()> {
     }
     // Σ_k p_j(y_k) a_k = −p_j(x), each row scaled by its own size
     let scale = |j: usize| f64::recip(row_size(qp, j));
-    let matrix = DMatrix::from_fn(n, n, |j, k| {
-        scale(j) * functional(&qp.conditions[j], &qp.kernel[k])
-    });
+    let matrix = DMatrix::from_fn(n, n, |j, k| scale(j) * functional(&qp.conditions[j], &qp.kernel[k]));
     let rhs = DVector::from_fn(n, |j, _| -scale(j) * functional(&qp.conditions[j], x));
     let factor = matrix.full_piv_lu();
     let pivots = factor.u().diagonal().abs();

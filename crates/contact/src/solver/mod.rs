@@ -11,6 +11,7 @@ mod compress;
 mod condensed;
 mod crossover;
 mod dense;
+mod describe;
 mod interior_point;
 mod kernel;
 mod monotone;

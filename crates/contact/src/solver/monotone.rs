@@ -37,12 +37,7 @@ pub fn monotone(qp: &DenseQp, start: &[f64], history: &mut Vec<usize>) -> Monoto
         history.push(active.iter().filter(|a| **a).count());
         let optimal = state.is_optimal(&active);
         if optimal || state.out_of_steps() {
-            let solution = DenseSolution {
-                x: state.x,
-                active,
-                face,
-                steps: state.steps,
-            };
+            let solution = DenseSolution { x: state.x, active, face, steps: state.steps };
             return match optimal {
                 true => Monotone::Solved(solution),
                 false => Monotone::StepLimit(solution),
@@ -65,13 +60,7 @@ impl<'a> State<'a> {
     fn new(qp: &'a DenseQp, start: &[f64]) -> Self {
         let project = |(x, g): (&f64, &f64)| x.min(*g);
         let x: Vec<f64> = start.iter().zip(&qp.upper).map(project).collect();
-        Self {
-            residual: qp.residual(&x),
-            tolerance: qp.tolerance(&x),
-            qp,
-            x,
-            steps: 0,
-        }
+        Self { residual: qp.residual(&x), tolerance: qp.tolerance(&x), qp, x, steps: 0 }
     }
 
     /// One projected Gauss–Seidel sweep: each component minimises the energy on its own, within its bound.
@@ -98,9 +87,7 @@ impl<'a> State<'a> {
     /// Components at their bound that the energy presses against it, or at least does not pull away.
     fn binding(&self) -> Vec<bool> {
         let at_bound = |i: usize| self.x[i] >= self.qp.upper[i];
-        (0..self.qp.len())
-            .map(|i| at_bound(i) && self.residual[i] >= -self.tolerance)
-            .collect()
+        (0..self.qp.len()).map(|i| at_bound(i) && self.residual[i] >= -self.tolerance).collect()
     }
 
     /// Descends to the minimum on the face of the active components. Bounds that are hit join the face, so the descent
@@ -155,11 +142,7 @@ impl<'a> State<'a> {
         }
         let projected = self.along(direction, length.max(1.0));
         let (gain, projected_gain) = (self.gain(&straight), self.gain(&projected));
-        debug_assert!(
-            gain >= -self.tolerance * distance(&straight, &self.x),
-            "the energy rose by {}",
-            -gain
-        );
+        debug_assert!(gain >= -self.tolerance * distance(&straight, &self.x), "the energy rose by {}", -gain);
         self.x = if projected_gain > gain { projected } else { straight };
         for i in 0..self.qp.len() {
             active[i] |= direction[i] > 0.0 && self.x[i] >= self.qp.upper[i];
@@ -198,9 +181,7 @@ impl<'a> State<'a> {
 
     fn is_stationary(&self, active: &[bool]) -> bool {
         let rest = |i: &usize| !active[*i];
-        (0..self.qp.len())
-            .filter(rest)
-            .all(|i| self.residual[i].abs() <= 10.0 * self.tolerance)
+        (0..self.qp.len()).filter(rest).all(|i| self.residual[i].abs() <= 10.0 * self.tolerance)
     }
 
     fn is_optimal(&self, active: &[bool]) -> bool {

@@ -10,15 +10,10 @@ use faer::sparse::linalg::amd;
 /// graph of the nodes (both components of a node side by side), then `trailing` as given.
 ///
 /// Returns reduced numbers, `order[step] = unknown`.
-pub fn elimination_order(
-    matrix: &BlockMatrix,
-    numbering: &Numbering,
-    trailing: &[u32],
-) -> Vec<usize> {
+pub fn elimination_order(matrix: &BlockMatrix, numbering: &Numbering, trailing: &[u32]) -> Vec<usize> {
     let leading = leading_numbers(numbering, trailing);
-    let nodes: Vec<usize> = (0..matrix.rows())
-        .filter(|&i| leading[2 * i] != REMOVED || leading[2 * i + 1] != REMOVED)
-        .collect();
+    let nodes: Vec<usize> =
+        (0..matrix.rows()).filter(|&i| leading[2 * i] != REMOVED || leading[2 * i + 1] != REMOVED).collect();
     let reduced = |full: u32| numbering.reduced[full as usize] as usize;
     minimum_degree(matrix, &nodes)
         .into_iter()
@@ -45,14 +40,8 @@ fn minimum_degree(matrix: &BlockMatrix, nodes: &[usize]) -> Vec<usize> {
     let graph = SymbolicSparseColMatRef::new_checked(n, n, &column_start, None, &rows);
     let (mut order, mut inverse) = (vec![0; n], vec![0; n]);
     let mut memory = MemBuffer::new(amd::order_maybe_unsorted_scratch::<usize>(n, rows.len()));
-    amd::order_maybe_unsorted(
-        &mut order,
-        &mut inverse,
-        graph,
-        amd::Control::default(),
-        MemStack::new(&mut memory),
-    )
-    .expect("the graph of a mesh that fits in memory has fewer than 2^63 edges");
+    amd::order_maybe_unsorted(&mut order, &mut inverse, graph, amd::Control::default(), MemStack::new(&mut memory))
+        .expect("the graph of a mesh that fits in memory has fewer than 2^63 edges");
     order
 }
 
@@ -66,11 +55,7 @@ fn node_graph(matrix: &BlockMatrix, nodes: &[usize]) -> (Vec<usize>, Vec<usize>)
     let mut rows = Vec::with_capacity(matrix.columns.len());
     for &i in nodes {
         let neighbours = matrix.row(i).map(|(j, _)| number[j]);
-        rows.extend(
-            neighbours
-                .filter(|&k| k != REMOVED)
-                .map(|k| k as usize),
-        );
+        rows.extend(neighbours.filter(|&k| k != REMOVED).map(|k| k as usize));
         column_start.push(rows.len());
     }
     (column_start, rows)

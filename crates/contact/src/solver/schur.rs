@@ -69,9 +69,7 @@ impl Condensation {
         for i in 0..m {
             schur[(i, i)] -= self.shift[i];
         }
-        let loose: Vec<bool> = (0..m)
-            .map(|i| schur[(i, i)] <= NO_STIFFNESS * self.shift[i])
-            .collect();
+        let loose: Vec<bool> = (0..m).map(|i| schur[(i, i)] <= NO_STIFFNESS * self.shift[i]).collect();
         for j in 0..m {
             for i in j..m {
                 if loose[i] || loose[j] {

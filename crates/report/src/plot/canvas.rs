@@ -46,21 +46,13 @@ impl<DB: DrawingBackend> Canvas<DB> {
     }
 
     /// A broken line, `width` pixels wide; `strength` 0 (invisible) to 1.
-    pub fn line(
-        &self,
-        points: &[At],
-        colour: Colour,
-        width: f64,
-        strength: f64,
-    ) -> Result<(), ReportError> {
+    pub fn line(&self, points: &[At], colour: Colour, width: f64, strength: f64) -> Result<(), ReportError> {
         let stroke = (width * self.scale).round().max(1.0) as u32;
         let style = rgb(colour).mix(strength).stroke_width(stroke);
         // One segment at a time: a thick broken line through plotters' polygons spikes at sharp turns.
         for pair in points.windows(2) {
             let ends: Vec<_> = pair.iter().map(|p| self.dot(*p)).collect();
-            self.area
-                .draw(&PathElement::new(ends, style))
-                .map_err(refused)?;
+            self.area.draw(&PathElement::new(ends, style)).map_err(refused)?;
         }
         Ok(())
     }
@@ -73,19 +65,8 @@ impl<DB: DrawingBackend> Canvas<DB> {
     }
 
     /// A mark of `radius` pixels: filled, hollow for a negative number, grey for a level left out.
-    pub fn mark(
-        &self,
-        at: At,
-        radius: f64,
-        shape: Shape,
-        colour: Colour,
-        kind: MarkKind,
-    ) -> Result<(), ReportError> {
-        let colour = if kind == MarkKind::Greyed {
-            Colour::Grey
-        } else {
-            colour
-        };
+    pub fn mark(&self, at: At, radius: f64, shape: Shape, colour: Colour, kind: MarkKind) -> Result<(), ReportError> {
+        let colour = if kind == MarkKind::Greyed { Colour::Grey } else { colour };
         self.polygon(&outline(at, radius, shape), colour, 1.0)?;
         if kind != MarkKind::Used {
             self.polygon(&outline(at, radius * 0.6, shape), Colour::White, 1.0)?;
@@ -94,14 +75,7 @@ impl<DB: DrawingBackend> Canvas<DB> {
     }
 
     /// One line of text, its capitals centred on `at`; what stands in `^{…}` is raised.
-    pub fn text(
-        &self,
-        text: &str,
-        at: At,
-        anchor: Anchor,
-        size: f64,
-        colour: Colour,
-    ) -> Result<(), ReportError> {
+    pub fn text(&self, text: &str, at: At, anchor: Anchor, size: f64, colour: Colour) -> Result<(), ReportError> {
         let width = self.text_width(text, size)?;
         let mut x = match anchor {
             Anchor::Left => at.0,
@@ -126,18 +100,13 @@ impl<DB: DrawingBackend> Canvas<DB> {
 
     /// Pixels that a line of text takes, with its raised parts.
     pub fn text_width(&self, text: &str, size: f64) -> Result<f64, ReportError> {
-        let widths = runs(text)
-            .into_iter()
-            .map(|run| self.plain_width(run.text, run.size(size).0));
+        let widths = runs(text).into_iter().map(|run| self.plain_width(run.text, run.size(size).0));
         widths.sum()
     }
 
     fn plain_width(&self, text: &str, size: f64) -> Result<f64, ReportError> {
         let style = font(size * self.scale);
-        let (width, _) = self
-            .area
-            .estimate_text_size(text, &style)
-            .map_err(refused)?;
+        let (width, _) = self.area.estimate_text_size(text, &style).map_err(refused)?;
         Ok(f64::from(width) / self.scale)
     }
 
@@ -147,9 +116,7 @@ impl<DB: DrawingBackend> Canvas<DB> {
         for word in text.split_whitespace() {
             let longer = lines.last().map(|line| format!("{line} {word}"));
             match (longer, lines.last_mut()) {
-                (Some(longer), Some(line)) if self.text_width(&longer, size)? <= width => {
-                    *line = longer
-                }
+                (Some(longer), Some(line)) if self.text_width(&longer, size)? <= width => *line = longer,
                 _ => lines.push(word.to_string()),
             }
         }
@@ -183,11 +150,7 @@ struct Run<'a> {
 impl Run<'_> {
     /// Size of the text and by how many pixels it is raised.
     fn size(&self, size: f64) -> (f64, f64) {
-        if self.raised {
-            (0.72 * size, 0.3 * size)
-        } else {
-            (size, 0.0)
-        }
+        if self.raised { (0.72 * size, 0.3 * size) } else { (size, 0.0) }
     }
 }
 
@@ -195,24 +158,14 @@ impl Run<'_> {
 fn runs(line: &str) -> Vec<Run<'_>> {
     let mut runs = Vec::new();
     let mut rest = line;
-    while let Some((before, (inside, after))) = rest
-        .split_once("^{")
-        .and_then(|(before, tail)| Some((before, tail.split_once('}')?)))
+    while let Some((before, (inside, after))) =
+        rest.split_once("^{").and_then(|(before, tail)| Some((before, tail.split_once('}')?)))
     {
-        runs.push(Run {
-            text: before,
-            raised: false,
-        });
-        runs.push(Run {
-            text: inside,
-            raised: true,
-        });
+        runs.push(Run { text: before, raised: false });
+        runs.push(Run { text: inside, raised: true });
         rest = after;
     }
-    runs.push(Run {
-        text: rest,
-        raised: false,
-    });
+    runs.push(Run { text: rest, raised: false });
     runs
 }
 
@@ -229,9 +182,7 @@ fn rgb(colour: Colour) -> RGBColor {
 fn outline((x, y): At, r: f64, shape: Shape) -> Vec<At> {
     let ring = |n: usize, turn: f64, r: f64| {
         let angle = move |i: usize| turn + std::f64::consts::TAU * i as f64 / n as f64;
-        (0..n)
-            .map(move |i| (x + r * angle(i).cos(), y + r * angle(i).sin()))
-            .collect()
+        (0..n).map(move |i| (x + r * angle(i).cos(), y + r * angle(i).sin())).collect()
     };
     let quarter = std::f64::consts::FRAC_PI_2;
     match shape {
@@ -246,13 +197,7 @@ fn outline((x, y): At, r: f64, shape: Shape) -> Vec<At> {
 fn use_embedded_font() -> Result<(), ReportError> {
     static KNOWN: OnceLock<bool> = OnceLock::new();
     let known = KNOWN.get_or_init(|| register_font(FONT, FontStyle::Normal, FONT_BYTES).is_ok());
-    if *known {
-        Ok(())
-    } else {
-        Err(ReportError::Picture(
-            "the embedded font cannot be read".into(),
-        ))
-    }
+    if *known { Ok(()) } else { Err(ReportError::Picture("the embedded font cannot be read".into())) }
 }
 
 fn refused(error: impl std::fmt::Display) -> ReportError {
@@ -265,16 +210,8 @@ mod tests {
 
     #[test]
     fn exponents_are_cut_out() {
-        let parts = |line| {
-            runs(line)
-                .iter()
-                .map(|r| (r.text, r.raised))
-                .collect::<Vec<_>>()
-        };
-        assert_eq!(
-            parts("O(h^{3/4})"),
-            [("O(h", false), ("3/4", true), (")", false)]
-        );
+        let parts = |line| runs(line).iter().map(|r| (r.text, r.raised)).collect::<Vec<_>>();
+        assert_eq!(parts("O(h^{3/4})"), [("O(h", false), ("3/4", true), (")", false)]);
         assert_eq!(parts("plain"), [("plain", false)]);
         assert_eq!(parts("open ^{end"), [("open ^{end", false)]);
     }

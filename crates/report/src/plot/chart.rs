@@ -135,10 +135,7 @@ impl Band {
     /// Smallest and largest mesh size of the window.
     pub fn ends(&self) -> (f64, f64) {
         let fold = |f: fn(f64, f64) -> f64, start: f64| self.window.iter().copied().fold(start, f);
-        (
-            fold(f64::min, f64::INFINITY),
-            fold(f64::max, f64::NEG_INFINITY),
-        )
+        (fold(f64::min, f64::INFINITY), fold(f64::max, f64::NEG_INFINITY))
     }
 }
 
@@ -189,13 +186,8 @@ mod tests {
     #[test]
     fn band_is_narrowest_at_the_mean() {
         let e = std::f64::consts::E;
-        let band = Band {
-            colour: Colour::Blue,
-            slope: 1.0,
-            intercept: 0.0,
-            window: vec![1.0, e, e * e],
-            half_width: 0.3,
-        };
+        let band =
+            Band { colour: Colour::Blue, slope: 1.0, intercept: 0.0, window: vec![1.0, e, e * e], half_width: 0.3 };
         assert!((band.half_width_at(1.0) - 0.3 * (2.0_f64 / 3.0).sqrt()).abs() < 1e-14);
         assert!((band.half_width_at(3.0) - 0.3 * (2.0_f64 / 3.0 + 4.0).sqrt()).abs() < 1e-14);
         assert!((band.line_at(2.0) - 2.0).abs() < 1e-15);

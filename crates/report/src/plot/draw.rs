@@ -28,13 +28,7 @@ pub(crate) fn draw<DB: DrawingBackend>(chart: &Chart, canvas: &Canvas<DB>) -> Dr
     let bottom = remarks(chart, canvas)?;
     let Some(frame) = frame(chart, canvas, top, bottom)? else {
         let middle = (f64::from(WIDTH) / 2.0, (top + bottom) / 2.0);
-        return canvas.text(
-            "nothing to plot: no positive value",
-            middle,
-            Anchor::Centre,
-            TEXT,
-            Colour::Grey,
-        );
+        return canvas.text("nothing to plot: no positive value", middle, Anchor::Centre, TEXT, Colour::Grey);
     };
     axes(chart, canvas, &frame)?;
     for band in &chart.bands {
@@ -61,13 +55,7 @@ fn heading<DB: DrawingBackend>(chart: &Chart, canvas: &Canvas<DB>) -> Result<f64
             y += LEADING;
         }
     }
-    canvas.text(
-        &chart.y_label,
-        (MARGIN, y + 14.0),
-        Anchor::Left,
-        TEXT,
-        Colour::Grey,
-    )?;
+    canvas.text(&chart.y_label, (MARGIN, y + 14.0), Anchor::Left, TEXT, Colour::Grey)?;
     Ok(y + 14.0 + LEADING)
 }
 
@@ -110,10 +98,9 @@ fn frame<DB: DrawingBackend>(
     top: f64,
     bottom: f64,
 ) -> Result<Option<Frame>, ReportError> {
-    let (Some(x), Some(y)) = (
-        LogRange::around(chart.marks().map(|m| m.h), 0.05),
-        LogRange::around(chart.marks().map(|m| m.value), 0.06),
-    ) else {
+    let (Some(x), Some(y)) =
+        (LogRange::around(chart.marks().map(|m| m.h), 0.05), LogRange::around(chart.marks().map(|m| m.value), 0.06))
+    else {
         return Ok(None);
     };
     let mut widest: f64 = 0.0;
@@ -128,14 +115,7 @@ fn frame<DB: DrawingBackend>(
         scale = scale.max(canvas.text_width(&tick.label, TEXT)?);
     }
     let left = MARGIN + scale + 14.0;
-    Ok(Some(Frame {
-        left,
-        right,
-        top,
-        bottom,
-        x,
-        y,
-    }))
+    Ok(Some(Frame { left, right, top, bottom, x, y }))
 }
 
 fn y_ticks(range: LogRange, height: f64) -> Vec<Tick> {
@@ -143,38 +123,19 @@ fn y_ticks(range: LogRange, height: f64) -> Vec<Tick> {
 }
 
 fn axes<DB: DrawingBackend>(chart: &Chart, canvas: &Canvas<DB>, frame: &Frame) -> Drawn {
-    let Frame {
-        left,
-        right,
-        top,
-        bottom,
-        x,
-        y,
-    } = *frame;
+    let Frame { left, right, top, bottom, x, y } = *frame;
     let width = |label: &str| canvas.text_width(label, TEXT).unwrap_or(100.0);
     for tick in ticks(x, frame.width(), 18.0, width) {
         let at = frame.left + x.share(tick.value) * frame.width();
         canvas.line(&[(at, top), (at, bottom)], Colour::Pale, 1.0, 1.0)?;
         canvas.line(&[(at, bottom), (at, bottom + 7.0)], Colour::Black, 1.0, 1.0)?;
-        canvas.text(
-            &tick.label,
-            (at, bottom + 26.0),
-            Anchor::Centre,
-            TEXT,
-            Colour::Black,
-        )?;
+        canvas.text(&tick.label, (at, bottom + 26.0), Anchor::Centre, TEXT, Colour::Black)?;
     }
     for tick in y_ticks(y, frame.height()) {
         let at = bottom - y.share(tick.value) * frame.height();
         canvas.line(&[(left, at), (right, at)], Colour::Pale, 1.0, 1.0)?;
         canvas.line(&[(left - 7.0, at), (left, at)], Colour::Black, 1.0, 1.0)?;
-        canvas.text(
-            &tick.label,
-            (left - 14.0, at),
-            Anchor::Right,
-            TEXT,
-            Colour::Black,
-        )?;
+        canvas.text(&tick.label, (left - 14.0, at), Anchor::Right, TEXT, Colour::Black)?;
     }
     let corners = [(left, top), (left, bottom), (right, bottom)];
     canvas.line(&corners, Colour::Black, 1.5, 1.0)?;
@@ -188,14 +149,9 @@ fn draw_band<DB: DrawingBackend>(band: &Band, canvas: &Canvas<DB>, frame: &Frame
     if !(low > 0.0 && high > low && band.half_width.is_finite()) {
         return Ok(());
     }
-    let steps: Vec<f64> = (0..=24)
-        .map(|i| low.ln() + (high.ln() - low.ln()) * f64::from(i) / 24.0)
-        .collect();
+    let steps: Vec<f64> = (0..=24).map(|i| low.ln() + (high.ln() - low.ln()) * f64::from(i) / 24.0).collect();
     let edge = |x: f64, side: f64| {
-        let (px, py) = frame.at(
-            x.exp(),
-            (band.line_at(x) + side * band.half_width_at(x)).exp(),
-        );
+        let (px, py) = frame.at(x.exp(), (band.line_at(x) + side * band.half_width_at(x)).exp());
         (px, py.clamp(frame.top, frame.bottom))
     };
     let upper = steps.iter().map(|&x| edge(x, 1.0));
@@ -209,13 +165,7 @@ fn draw_curve<DB: DrawingBackend>(curve: &Curve, canvas: &Canvas<DB>, frame: &Fr
     let (width, radius) = if curve.strong { (2.5, 8.0) } else { (1.5, 6.0) };
     canvas.line(&pixels(curve, frame), curve.colour, width, 1.0)?;
     for mark in &curve.marks {
-        canvas.mark(
-            frame.at(mark.h, mark.value),
-            radius,
-            curve.shape,
-            curve.colour,
-            mark.kind,
-        )?;
+        canvas.mark(frame.at(mark.h, mark.value), radius, curve.shape, curve.colour, mark.kind)?;
     }
     Ok(())
 }
@@ -226,36 +176,19 @@ fn pixels(curve: &Curve, frame: &Frame) -> Vec<(f64, f64)> {
 
 /// Names at the right ends of the curves, moved apart, with a leader to the end that each belongs to.
 fn labels<DB: DrawingBackend>(chart: &Chart, canvas: &Canvas<DB>, frame: &Frame) -> Drawn {
-    let end = |curve: &Curve| {
-        pixels(curve, frame)
-            .into_iter()
-            .max_by(|a, b| a.0.total_cmp(&b.0))
-    };
-    let mut ends: Vec<_> = chart
-        .curves
-        .iter()
-        .filter_map(|c| end(c).map(|at| (at, c)))
-        .collect();
+    let end = |curve: &Curve| pixels(curve, frame).into_iter().max_by(|a, b| a.0.total_cmp(&b.0));
+    let mut ends: Vec<_> = chart.curves.iter().filter_map(|c| end(c).map(|at| (at, c))).collect();
     ends.sort_by(|a, b| a.0.1.total_cmp(&b.0.1));
     let wanted: Vec<f64> = ends.iter().map(|(at, _)| at.1).collect();
     let room = (frame.height() - LEADING) / ends.len().max(1) as f64;
     let gap = (2.0 * LEADING + 6.0).min(room);
-    let places = spread(
-        &wanted,
-        gap,
-        frame.top + 0.5 * LEADING,
-        frame.bottom - 0.5 * LEADING,
-    );
+    let places = spread(&wanted, gap, frame.top + 0.5 * LEADING, frame.bottom - 0.5 * LEADING);
     for ((at, curve), y) in ends.into_iter().zip(places) {
         let left = frame.right + LEADER;
         let width = f64::from(WIDTH) - MARGIN - left;
         let leader = [(at.0 + 12.0, at.1), (frame.right + 8.0, y), (left - 8.0, y)];
         canvas.line(&leader, curve.colour, 1.0, 0.6)?;
-        let lift = if curve.detail.is_empty() {
-            0.0
-        } else {
-            0.45 * LEADING
-        };
+        let lift = if curve.detail.is_empty() { 0.0 } else { 0.45 * LEADING };
         for (text, y) in [(&curve.label, y - lift), (&curve.detail, y + lift)] {
             let text = canvas.cut(text, TEXT, width)?;
             canvas.text(&text, (left, y), Anchor::Left, TEXT, curve.colour)?;
@@ -268,21 +201,11 @@ fn labels<DB: DrawingBackend>(chart: &Chart, canvas: &Canvas<DB>, frame: &Frame)
 fn triangles<DB: DrawingBackend>(chart: &Chart, canvas: &Canvas<DB>, frame: &Frame) -> Drawn {
     let path = |c: &Curve| along(&pixels(c, frame), 6.0);
     let mut obstacles: Vec<_> = chart.curves.iter().flat_map(path).collect();
-    let near: Vec<_> = chart
-        .curves
-        .iter()
-        .filter(|c| c.judged)
-        .flat_map(path)
-        .collect();
+    let near: Vec<_> = chart.curves.iter().filter(|c| c.judged).flat_map(path).collect();
     for slope in &chart.slopes {
         let triangle = Triangle::new(slope.exponent, frame);
-        let words = canvas
-            .text_width(&slope.label, TEXT)?
-            .max(canvas.text_width(&slope.source, TEXT)?);
-        let size = (
-            triangle.width + 12.0 + words,
-            triangle.height.abs().max(2.0 * LEADING),
-        );
+        let words = canvas.text_width(&slope.label, TEXT)?.max(canvas.text_width(&slope.source, TEXT)?);
+        let size = (triangle.width + 12.0 + words, triangle.height.abs().max(2.0 * LEADING));
         let area = Rect {
             left: frame.left + 14.0,
             top: frame.top + 8.0,
@@ -291,21 +214,12 @@ fn triangles<DB: DrawingBackend>(chart: &Chart, canvas: &Canvas<DB>, frame: &Fra
         };
         let place = free_place(area, size, &obstacles, &near);
         obstacles.extend(place.points(10.0));
-        let corners = triangle.corners(
-            place.left,
-            place.top + 0.5 * (place.height + triangle.height.abs()),
-        );
+        let corners = triangle.corners(place.left, place.top + 0.5 * (place.height + triangle.height.abs()));
         draw_triangle(canvas, &corners)?;
         let left = place.left + triangle.width + 12.0;
         let middle = place.top + 0.5 * place.height;
         for (text, shift) in [(&slope.label, -0.5), (&slope.source, 0.5)] {
-            canvas.text(
-                text,
-                (left, middle + shift * LEADING),
-                Anchor::Left,
-                TEXT,
-                Colour::Black,
-            )?;
+            canvas.text(text, (left, middle + shift * LEADING), Anchor::Left, TEXT, Colour::Black)?;
         }
     }
     Ok(())

@@ -51,9 +51,7 @@ fn averaged(dots: &[u8]) -> Vec<u8> {
     for y in 0..HEIGHT as usize {
         for x in 0..WIDTH as usize {
             for channel in 0..3 {
-                let dot = |i: usize, j: usize| {
-                    u32::from(dots[(y * finer + j) * row + (x * finer + i) * 3 + channel])
-                };
+                let dot = |i: usize, j: usize| u32::from(dots[(y * finer + j) * row + (x * finer + i) * 3 + channel]);
                 let sum: u32 = (0..finer * finer).map(|k| dot(k % finer, k / finer)).sum();
                 pixels.push((sum / (FINER * FINER)) as u8);
             }

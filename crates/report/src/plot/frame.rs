@@ -22,18 +22,12 @@ pub(crate) struct Frame {
 impl Frame {
     /// Pixel of mesh size `h` and value `e`.
     pub fn at(&self, h: f64, e: f64) -> (f64, f64) {
-        (
-            self.left + self.x.share(h) * self.width(),
-            self.bottom - self.y.share(e) * self.height(),
-        )
+        (self.left + self.x.share(h) * self.width(), self.bottom - self.y.share(e) * self.height())
     }
 
     /// Pixels per decade of `h` and of `e`.
     pub fn pixels_per_decade(&self) -> [f64; 2] {
-        [
-            self.width() / self.x.decades(),
-            self.height() / self.y.decades(),
-        ]
+        [self.width() / self.x.decades(), self.height() / self.y.decades()]
     }
 
     /// Pixels from left to right.

@@ -16,41 +16,11 @@ struct Term {
 }
 
 const TERMS: [Term; 5] = [
-    Term {
-        words: "½A(e,e)",
-        colour: Colour::Blue,
-        shape: Shape::Circle,
-        strong: true,
-        value: |l| l.lhs,
-    },
-    Term {
-        words: "a + b + c",
-        colour: Colour::Black,
-        shape: Shape::Square,
-        strong: true,
-        value: |l| l.a + l.b + l.c,
-    },
-    Term {
-        words: "a",
-        colour: Colour::Green,
-        shape: Shape::Triangle,
-        strong: false,
-        value: |l| l.a,
-    },
-    Term {
-        words: "b",
-        colour: Colour::Vermillion,
-        shape: Shape::Diamond,
-        strong: false,
-        value: |l| l.b,
-    },
-    Term {
-        words: "c",
-        colour: Colour::Purple,
-        shape: Shape::Diamond,
-        strong: false,
-        value: |l| l.c,
-    },
+    Term { words: "½A(e,e)", colour: Colour::Blue, shape: Shape::Circle, strong: true, value: |l| l.lhs },
+    Term { words: "a + b + c", colour: Colour::Black, shape: Shape::Square, strong: true, value: |l| l.a + l.b + l.c },
+    Term { words: "a", colour: Colour::Green, shape: Shape::Triangle, strong: false, value: |l| l.a },
+    Term { words: "b", colour: Colour::Vermillion, shape: Shape::Diamond, strong: false, value: |l| l.b },
+    Term { words: "c", colour: Colour::Purple, shape: Shape::Diamond, strong: false, value: |l| l.c },
 ];
 
 /// `½A(e,e)`, the terms `a`, `b`, `c` by their absolute values, and their sum, against `h`, with the bound's own slope
@@ -72,38 +42,21 @@ pub fn ledger(record: &StudyRecord) -> Option<Chart> {
         y_label: "terms, squares of the energy norm".into(),
         curves,
         bands: Vec::new(),
-        slopes: if sloped {
-            vec![slope(record)]
-        } else {
-            Vec::new()
-        },
+        slopes: if sloped { vec![slope(record)] } else { Vec::new() },
         remarks: remarks(record, polygonal),
     })
 }
 
 fn levels(record: &StudyRecord) -> impl Iterator<Item = (&Level, &Ledger)> {
-    record
-        .levels
-        .iter()
-        .filter_map(|l| l.ledger.as_ref().map(|ledger| (l, ledger)))
+    record.levels.iter().filter_map(|l| l.ledger.as_ref().map(|ledger| (l, ledger)))
 }
 
 fn curve(record: &StudyRecord, term: &Term, polygonal: bool) -> Option<Curve> {
-    let marks: Vec<Mark> = levels(record)
-        .filter_map(|(level, l)| mark(level, (term.value)(l)))
-        .collect();
+    let marks: Vec<Mark> = levels(record).filter_map(|(level, l)| mark(level, (term.value)(l))).collect();
     let negative = levels(record).any(|(_, l)| (term.value)(l) < 0.0);
-    let words = if polygonal && term.words == "a + b + c" {
-        "a + b"
-    } else {
-        term.words
-    };
+    let words = if polygonal && term.words == "a + b + c" { "a + b" } else { term.words };
     (!marks.is_empty()).then(|| Curve {
-        label: if negative {
-            format!("|{words}|")
-        } else {
-            words.into()
-        },
+        label: if negative { format!("|{words}|") } else { words.into() },
         detail: String::new(),
         colour: term.colour,
         shape: term.shape,
@@ -115,26 +68,15 @@ fn curve(record: &StudyRecord, term: &Term, polygonal: bool) -> Option<Curve> {
 
 fn mark(level: &Level, value: f64) -> Option<Mark> {
     let drawable = value != 0.0 && value.is_finite() && level.h > 0.0 && level.h.is_finite();
-    drawable.then(|| Mark {
-        h: level.h,
-        value: value.abs(),
-        kind: kind(level, value),
-    })
+    drawable.then(|| Mark { h: level.h, value: value.abs(), kind: kind(level, value) })
 }
 
 /// `½A(e,e) ≤ a + b holds on levels 0–4, is broken on level 5`
 fn inequality(record: &StudyRecord, polygonal: bool) -> String {
     let sum = if polygonal { "a + b" } else { "a + b + c" };
-    let verdicts = [
-        (Some(true), "holds"),
-        (None, "within its tolerance"),
-        (Some(false), "BROKEN"),
-    ];
+    let verdicts = [(Some(true), "holds"), (None, "within its tolerance"), (Some(false), "BROKEN")];
     let parts = verdicts.iter().filter_map(|(wanted, words)| {
-        let found: Vec<usize> = levels(record)
-            .filter(|(_, l)| l.holds == *wanted)
-            .map(|(l, _)| l.level)
-            .collect();
+        let found: Vec<usize> = levels(record).filter(|(_, l)| l.holds == *wanted).map(|(l, _)| l.level).collect();
         (!found.is_empty()).then(|| format!("{words} on {}", format::level_words(&found)))
     });
     format!("½A(e,e) ≤ {sum}: {}", parts.collect::<Vec<_>>().join(", "))
@@ -143,22 +85,10 @@ fn inequality(record: &StudyRecord, polygonal: bool) -> String {
 /// Squares fall twice as fast as norms: `h²` for `O(h)`, `h³ᐟ²` for `O(h³ᐟ⁴)`.
 fn slope(record: &StudyRecord) -> Slope {
     let energy_like = matches!(record.norm.as_str(), "strain" | "energy" | "h1");
-    let bound = record
-        .bounds
-        .paper
-        .or(record.bounds.today)
-        .or(record.bounds.expected);
+    let bound = record.bounds.paper.or(record.bounds.today).or(record.bounds.expected);
     match bound.filter(|b| energy_like && b.is_finite()) {
-        Some(rate) => Slope {
-            exponent: 2.0 * rate,
-            label: format::order(2.0 * rate),
-            source: "claimed".into(),
-        },
-        None => Slope {
-            exponent: 2.0,
-            label: "O(h²)".into(),
-            source: "to compare".into(),
-        },
+        Some(rate) => Slope { exponent: 2.0 * rate, label: format::order(2.0 * rate), source: "claimed".into() },
+        None => Slope { exponent: 2.0, label: "O(h²)".into(), source: "to compare".into() },
     }
 }
 
@@ -168,16 +98,9 @@ fn remarks(record: &StudyRecord, polygonal: bool) -> Vec<String> {
         remarks.push("Hollow marks: the absolute value of a negative term.".into());
     }
     for term in TERMS.iter().filter(|t| !(polygonal && t.words == "c")) {
-        let zero: Vec<usize> = levels(record)
-            .filter(|(_, l)| (term.value)(l) == 0.0)
-            .map(|(l, _)| l.level)
-            .collect();
+        let zero: Vec<usize> = levels(record).filter(|(_, l)| (term.value)(l) == 0.0).map(|(l, _)| l.level).collect();
         if !zero.is_empty() {
-            remarks.push(format!(
-                "Not drawn: {} is zero on {}.",
-                term.words,
-                format::level_words(&zero)
-            ));
+            remarks.push(format!("Not drawn: {} is zero on {}.", term.words, format::level_words(&zero)));
         }
     }
     remarks

@@ -16,9 +16,7 @@ pub(crate) fn spread(wanted: &[f64], gap: f64, low: f64, high: f64) -> Vec<f64> 
         }
     }
     let room = (high - gap * wanted.len().saturating_sub(1) as f64).max(low);
-    let flat = pools
-        .iter()
-        .flat_map(|&(y, n)| std::iter::repeat_n(y.clamp(low, room), n));
+    let flat = pools.iter().flat_map(|&(y, n)| std::iter::repeat_n(y.clamp(low, room), n));
     flat.enumerate().map(|(i, y)| y + i as f64 * gap).collect()
 }
 
@@ -47,10 +45,8 @@ impl Rect {
     pub fn points(&self, step: f64) -> Vec<(f64, f64)> {
         let along = |length: f64| (length / step).ceil().max(1.0) as usize;
         let (nx, ny) = (along(self.width), along(self.height));
-        let grid = (0..=nx)
-            .flat_map(|i| (0..=ny).map(move |j| (i as f64 / nx as f64, j as f64 / ny as f64)));
-        grid.map(|(s, t)| (self.left + s * self.width, self.top + t * self.height))
-            .collect()
+        let grid = (0..=nx).flat_map(|i| (0..=ny).map(move |j| (i as f64 / nx as f64, j as f64 / ny as f64)));
+        grid.map(|(s, t)| (self.left + s * self.width, self.top + t * self.height)).collect()
     }
 }
 
@@ -60,11 +56,7 @@ pub(crate) fn along(line: &[(f64, f64)], step: f64) -> Vec<(f64, f64)> {
     for pair in line.windows(2) {
         let (a, b) = (pair[0], pair[1]);
         let n = ((b.0 - a.0).hypot(b.1 - a.1) / step).ceil().max(1.0) as usize;
-        points.extend(
-            (1..n)
-                .map(|i| i as f64 / n as f64)
-                .map(|t| (a.0 + t * (b.0 - a.0), a.1 + t * (b.1 - a.1))),
-        );
+        points.extend((1..n).map(|i| i as f64 / n as f64).map(|t| (a.0 + t * (b.0 - a.0), a.1 + t * (b.1 - a.1))));
     }
     points
 }
@@ -84,14 +76,12 @@ pub(crate) fn free_place(
 ) -> Rect {
     let count = |room: f64| (room / STEP).max(0.0) as usize;
     let (nx, ny) = (count(area.width - width), count(area.height - height));
-    let boxes = (0..=ny)
-        .flat_map(|j| (0..=nx).map(move |i| (i, j)))
-        .map(|(i, j)| Rect {
-            left: area.left + i as f64 * STEP,
-            top: area.top + j as f64 * STEP,
-            width,
-            height,
-        });
+    let boxes = (0..=ny).flat_map(|j| (0..=nx).map(move |i| (i, j))).map(|(i, j)| Rect {
+        left: area.left + i as f64 * STEP,
+        top: area.top + j as f64 * STEP,
+        width,
+        height,
+    });
     let mut best: Option<(f64, Rect)> = None;
     for candidate in boxes {
         let score = score(&candidate, obstacles, near);
@@ -104,12 +94,7 @@ pub(crate) fn free_place(
 
 /// Smaller is better: distance to `near` for a clear box, a large number that falls with the clearance otherwise.
 fn score(rect: &Rect, obstacles: &[(f64, f64)], near: &[(f64, f64)]) -> f64 {
-    let nearest = |points: &[(f64, f64)]| {
-        points
-            .iter()
-            .map(|p| rect.distance(*p))
-            .fold(f64::INFINITY, f64::min)
-    };
+    let nearest = |points: &[(f64, f64)]| points.iter().map(|p| rect.distance(*p)).fold(f64::INFINITY, f64::min);
     let clearance = nearest(obstacles);
     if clearance < CLEAR {
         return 1e6 - clearance;
@@ -127,10 +112,7 @@ mod tests {
     fn spread_moves_no_more_than_needed() {
         assert_eq!(spread(&[10.0, 100.0], 20.0, 0.0, 200.0), [10.0, 100.0]);
         assert_eq!(spread(&[50.0, 50.0], 20.0, 0.0, 200.0), [40.0, 60.0]);
-        assert_eq!(
-            spread(&[50.0, 50.0, 65.0], 20.0, 0.0, 200.0),
-            [35.0, 55.0, 75.0]
-        );
+        assert_eq!(spread(&[50.0, 50.0, 65.0], 20.0, 0.0, 200.0), [35.0, 55.0, 75.0]);
         assert_eq!(spread(&[195.0, 198.0], 20.0, 0.0, 200.0), [180.0, 200.0]);
         assert_eq!(spread(&[1.0, 2.0], 20.0, 0.0, 200.0), [0.0, 20.0]);
         assert!(spread(&[], 20.0, 0.0, 1.0).is_empty());
@@ -138,26 +120,13 @@ mod tests {
 
     #[test]
     fn a_box_finds_the_free_half() {
-        let area = Rect {
-            left: 0.0,
-            top: 0.0,
-            width: 400.0,
-            height: 400.0,
-        };
+        let area = Rect { left: 0.0, top: 0.0, width: 400.0, height: 400.0 };
         let diagonal = along(&[(0.0, 400.0), (400.0, 0.0)], 5.0);
         let place = free_place(area, (100.0, 80.0), &diagonal, &[(200.0, 200.0)]);
-        let clearance = diagonal
-            .iter()
-            .map(|p| place.distance(*p))
-            .fold(f64::INFINITY, f64::min);
+        let clearance = diagonal.iter().map(|p| place.distance(*p)).fold(f64::INFINITY, f64::min);
         assert!(clearance >= CLEAR, "{place:?}");
         assert!(place.left >= 0.0 && place.left + place.width <= 400.0);
-        let inside = Rect {
-            left: 10.0,
-            top: 10.0,
-            width: 5.0,
-            height: 5.0,
-        };
+        let inside = Rect { left: 10.0, top: 10.0, width: 5.0, height: 5.0 };
         assert_eq!(inside.distance((12.0, 12.0)), 0.0);
         assert_eq!(inside.distance((18.0, 19.0)), 5.0);
     }

@@ -12,10 +12,7 @@ use signorini_study::record::{Level, StudyRecord};
 ///
 /// `None` if no error is positive and finite.
 pub fn rates(record: &StudyRecord) -> Option<Chart> {
-    let curves: Vec<Curve> = NORMS
-        .iter()
-        .filter_map(|norm| curve(record, norm))
-        .collect();
+    let curves: Vec<Curve> = NORMS.iter().filter_map(|norm| curve(record, norm)).collect();
     if curves.is_empty() {
         return None;
     }
@@ -26,15 +23,8 @@ pub fn rates(record: &StudyRecord) -> Option<Chart> {
         subtitle: vec![record.title.clone(), outcome(record)],
         x_label: "mesh size h (largest side)".into(),
         y_label: "error norms, e = u − uₕ".into(),
-        bands: judged_curve
-            .iter()
-            .filter_map(|c| band(record, c.colour))
-            .collect(),
-        slopes: if judged_curve.is_some_and(|c| c.has_slope()) {
-            slopes(record)
-        } else {
-            Vec::new()
-        },
+        bands: judged_curve.iter().filter_map(|c| band(record, c.colour)).collect(),
+        slopes: if judged_curve.is_some_and(|c| c.has_slope()) { slopes(record) } else { Vec::new() },
         curves,
         remarks: remarks(record),
     })
@@ -51,11 +41,7 @@ fn curve(record: &StudyRecord, norm: &Norm) -> Option<Curve> {
         _ if judged => (Colour::Black, Shape::Circle),
         _ => return None,
     };
-    let marks: Vec<Mark> = record
-        .levels
-        .iter()
-        .filter_map(|level| mark(level, norm))
-        .collect();
+    let marks: Vec<Mark> = record.levels.iter().filter_map(|level| mark(level, norm)).collect();
     let rate = record.rates.get(norm.key);
     (!marks.is_empty()).then(|| Curve {
         label: norm.label(),
@@ -72,11 +58,7 @@ fn mark(level: &Level, norm: &Norm) -> Option<Mark> {
     let kind = kind(level, norm.value(level)?);
     let value = norm.value(level)?.abs();
     let drawable = value > 0.0 && value.is_finite() && level.h > 0.0 && level.h.is_finite();
-    drawable.then_some(Mark {
-        h: level.h,
-        value,
-        kind,
-    })
+    drawable.then_some(Mark { h: level.h, value, kind })
 }
 
 /// How a value of that level is drawn.
@@ -106,22 +88,14 @@ fn slopes(record: &StudyRecord) -> Vec<Slope> {
     let bounds = &record.bounds;
     let proven = bounds.paper.is_some() || bounds.today.is_some();
     let mut slopes: Vec<Slope> = Vec::new();
-    for (value, source) in [
-        (bounds.paper, "paper"),
-        (bounds.today, "today"),
-        (bounds.expected, "expected"),
-    ] {
+    for (value, source) in [(bounds.paper, "paper"), (bounds.today, "today"), (bounds.expected, "expected")] {
         let Some(exponent) = value.filter(|x| x.is_finite()) else {
             continue;
         };
         match slopes.iter_mut().find(|s| s.exponent == exponent) {
             Some(same) => same.source += &format!(", {source}"),
             None if proven && source == "expected" => {}
-            None => slopes.push(Slope {
-                exponent,
-                label: format::order(exponent),
-                source: source.into(),
-            }),
+            None => slopes.push(Slope { exponent, label: format::order(exponent), source: source.into() }),
         }
     }
     slopes
@@ -133,29 +107,13 @@ fn outcome(record: &StudyRecord) -> String {
         || "no fitted rate".into(),
         |r| {
             let interval = format::interval(r.slope, r.low, r.high);
-            format!(
-                "observed {interval} on levels {}",
-                format::levels(&r.levels)
-            )
+            format!("observed {interval} on levels {}", format::levels(&r.levels))
         },
     );
     let bounds = &record.bounds;
-    let shown = [
-        ("paper", bounds.paper),
-        ("today", bounds.today),
-        ("expected", bounds.expected),
-    ]
-    .map(|(words, value)| {
-        format!(
-            "{words} {}",
-            value.map_or(format::MISSING.into(), format::bound)
-        )
-    });
-    format!(
-        "{observed} · {} · {}",
-        shown.join(" · "),
-        verdict::words(record)
-    )
+    let shown = [("paper", bounds.paper), ("today", bounds.today), ("expected", bounds.expected)]
+        .map(|(words, value)| format!("{words} {}", value.map_or(format::MISSING.into(), format::bound)));
+    format!("{observed} · {} · {}", shown.join(" · "), verdict::words(record))
 }
 
 /// What the picture leaves out or greys, in words.
@@ -168,10 +126,7 @@ fn remarks(record: &StudyRecord) -> Vec<String> {
     let missing: Vec<usize> = missing.map(|l| l.level).collect();
     if !missing.is_empty() {
         let levels = format::level_words(&missing);
-        remarks.push(format!(
-            "Not drawn, zero or without a value: {} on {levels}.",
-            norm.label()
-        ));
+        remarks.push(format!("Not drawn, zero or without a value: {} on {levels}.", norm.label()));
     }
     remarks
 }
@@ -189,10 +144,7 @@ pub(super) fn excluded(record: &StudyRecord) -> Vec<String> {
         }
     }
     let words = |(why, levels): (&str, Vec<usize>)| {
-        format!(
-            "Grey, left out of the fit: {}: {why}.",
-            format::level_words(&levels)
-        )
+        format!("Grey, left out of the fit: {}: {why}.", format::level_words(&levels))
     };
     groups.into_iter().map(words).collect()
 }

@@ -28,21 +28,14 @@ impl Triangle {
         } else if steepness != 0.0 && steepness.abs() * width < LOWEST {
             width = (LOWEST / steepness.abs()).min(WIDEST);
         }
-        Self {
-            width,
-            height: steepness * width,
-        }
+        Self { width, height: steepness * width }
     }
 
     /// The three corners with the box's lower left corner at `(left, bottom)`: start of the hypotenuse, right angle,
     /// end of the hypotenuse. Pixels grow downwards.
     pub fn corners(&self, left: f64, bottom: f64) -> [(f64, f64); 3] {
         let start = bottom + self.height.min(0.0);
-        [
-            (left, start),
-            (left + self.width, start),
-            (left + self.width, start - self.height),
-        ]
+        [(left, start), (left + self.width, start), (left + self.width, start - self.height)]
     }
 }
 
@@ -57,14 +50,8 @@ mod tests {
             right: 900.0,
             top: 100.0,
             bottom: 700.0,
-            x: LogRange {
-                low: -2.0,
-                high: -2.0 + decades_h,
-            },
-            y: LogRange {
-                low: -4.0,
-                high: -4.0 + decades_e,
-            },
+            x: LogRange { low: -2.0, high: -2.0 + decades_h },
+            y: LogRange { low: -4.0, high: -4.0 + decades_e },
         }
     }
 
@@ -75,16 +62,10 @@ mod tests {
             let frame = frame(decades_h, decades_e);
             for exponent in [0.5, 0.75, 1.0, 1.5, 2.0, -0.5] {
                 let [a, _, b] = Triangle::new(exponent, &frame).corners(200.0, 600.0);
-                let (p, q) = (
-                    frame.at(0.01, 1e-3),
-                    frame.at(0.02, 1e-3 * 2f64.powf(exponent)),
-                );
+                let (p, q) = (frame.at(0.01, 1e-3), frame.at(0.02, 1e-3 * 2f64.powf(exponent)));
                 let drawn = (b.1 - a.1) / (b.0 - a.0);
                 let curve = (q.1 - p.1) / (q.0 - p.0);
-                assert!(
-                    (drawn - curve).abs() < 1e-9 * curve.abs(),
-                    "{exponent}: {drawn} against {curve}"
-                );
+                assert!((drawn - curve).abs() < 1e-9 * curve.abs(), "{exponent}: {drawn} against {curve}");
             }
         }
     }

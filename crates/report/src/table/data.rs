@@ -22,9 +22,7 @@ impl Table {
             let why = row.excluded.clone().unwrap_or_default();
             writer.write_record(row.cells.iter().map(csv_field).chain([why]))?;
         }
-        writer
-            .into_inner()
-            .map_err(|e| ReportError::Csv(e.into_error().into()))
+        writer.into_inner().map_err(|e| ReportError::Csv(e.into_error().into()))
     }
 
     /// JSON: an array with one object per row, `null` where there is no value, and `excluded`.
@@ -33,16 +31,12 @@ impl Table {
     /// [`ReportError::NonFinite`] on NaN or infinity.
     pub fn to_json(&self) -> Result<Value, ReportError> {
         self.check_finite()?;
-        Ok(Value::Array(
-            self.rows.iter().map(|row| self.json_row(row)).collect(),
-        ))
+        Ok(Value::Array(self.rows.iter().map(|row| self.json_row(row)).collect()))
     }
 
     fn json_row(&self, row: &Row) -> Value {
         let pairs = self.columns.iter().zip(&row.cells);
-        let mut object: Map<String, Value> = pairs
-            .map(|(c, cell)| (c.key.clone(), json_value(cell)))
-            .collect();
+        let mut object: Map<String, Value> = pairs.map(|(c, cell)| (c.key.clone(), json_value(cell))).collect();
         let why = row.excluded.clone().map_or(Value::Null, Value::String);
         object.insert(EXCLUDED.into(), why);
         Value::Object(object)

@@ -6,16 +6,8 @@ impl Table {
     /// A Markdown table. A row that does not count is set in italics and marked `†`, its reason below the table.
     pub fn to_markdown(&self) -> String {
         let headings = self.columns.iter().map(|c| escape(&c.heading)).collect();
-        let rules = (0..self.columns.len())
-            .map(|c| {
-                if self.column_is_words(c) {
-                    "---"
-                } else {
-                    "---:"
-                }
-                .to_string()
-            })
-            .collect();
+        let rules =
+            (0..self.columns.len()).map(|c| if self.column_is_words(c) { "---" } else { "---:" }.to_string()).collect();
         let mut out = line(headings) + &line(rules);
         for row in &self.rows {
             out += &line(cells(row));
@@ -28,19 +20,9 @@ impl Table {
             .rows
             .iter()
             .filter_map(|row| row.excluded.as_ref().map(|why| (row, why)))
-            .map(|(row, why)| {
-                format!(
-                    "† {} {} is left out of the fit: {why}.",
-                    self.row_word(),
-                    first(row)
-                )
-            })
+            .map(|(row, why)| format!("† {} {} is left out of the fit: {why}.", self.row_word(), first(row)))
             .collect();
-        if notes.is_empty() {
-            String::new()
-        } else {
-            format!("\n{}\n", notes.join("  \n"))
-        }
+        if notes.is_empty() { String::new() } else { format!("\n{}\n", notes.join("  \n")) }
     }
 
     /// What a row is: the heading of the first column.
@@ -55,9 +37,7 @@ pub(crate) fn escape(text: &str) -> String {
 }
 
 fn first(row: &Row) -> String {
-    row.cells
-        .first()
-        .map_or_else(String::new, super::Cell::display)
+    row.cells.first().map_or_else(String::new, super::Cell::display)
 }
 
 fn cells(row: &Row) -> Vec<String> {
@@ -66,16 +46,7 @@ fn cells(row: &Row) -> Vec<String> {
     if !greyed {
         return shown.collect();
     }
-    shown
-        .enumerate()
-        .map(|(i, text)| {
-            if i == 0 {
-                format!("*{text}* †")
-            } else {
-                format!("*{text}*")
-            }
-        })
-        .collect()
+    shown.enumerate().map(|(i, text)| if i == 0 { format!("*{text}* †") } else { format!("*{text}*") }).collect()
 }
 
 fn line(cells: Vec<String>) -> String {

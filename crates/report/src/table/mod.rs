@@ -29,10 +29,7 @@ pub struct Column {
 impl Column {
     /// A column of that key and heading.
     pub fn new(key: impl Into<String>, heading: impl Into<String>) -> Self {
-        Self {
-            key: key.into(),
-            heading: heading.into(),
-        }
+        Self { key: key.into(), heading: heading.into() }
     }
 }
 
@@ -121,8 +118,6 @@ impl Cell {
 impl Table {
     /// Whether words stand in the column.
     fn column_is_words(&self, column: usize) -> bool {
-        self.rows
-            .iter()
-            .any(|row| row.cells.get(column).is_some_and(Cell::is_words))
+        self.rows.iter().any(|row| row.cells.get(column).is_some_and(Cell::is_words))
     }
 }

@@ -30,9 +30,7 @@ impl Table {
     }
 
     fn fitted_widths(&self, width: usize) -> Vec<usize> {
-        let mut widths: Vec<usize> = (0..self.columns.len())
-            .map(|c| self.natural_width(c))
-            .collect();
+        let mut widths: Vec<usize> = (0..self.columns.len()).map(|c| self.natural_width(c)).collect();
         let gaps = GAP * widths.len().saturating_sub(1);
         while widths.iter().sum::<usize>() + gaps > width {
             let widest = (0..widths.len())
@@ -85,9 +83,5 @@ pub(crate) fn wrap(text: &str, width: usize, indent: usize) -> String {
 
 fn pad(text: &str, width: usize, left: bool) -> String {
     let blanks = " ".repeat(width.saturating_sub(text.chars().count()));
-    if left {
-        format!("{text}{blanks}")
-    } else {
-        format!("{blanks}{text}")
-    }
+    if left { format!("{text}{blanks}") } else { format!("{blanks}{text}") }
 }

@@ -3,8 +3,8 @@
 #![allow(dead_code, reason = "each test file uses its own part")]
 
 use signorini_study::record::{
-    Bounds, Budget, ClaimKind, Errors, Kkt, Ledger, Level, Outcome, Rate, Reference, SCHEMA,
-    SolverRecord, StudyRecord, Verdict,
+    Bounds, Budget, ClaimKind, Errors, Kkt, Ledger, Level, Outcome, Rate, Reference, SCHEMA, SolverRecord, StudyRecord,
+    Verdict,
 };
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -26,12 +26,7 @@ pub fn record(levels: usize, strain: Power, energy: Power, h1: Power, l2: Power)
     };
     let levels: Vec<Level> = (0..levels).map(|k| level(k, errors)).collect();
     let mut record = blank(levels);
-    for (key, (c, p)) in [
-        ("strain", strain),
-        ("energy", energy),
-        ("h1", h1),
-        ("l2", l2),
-    ] {
+    for (key, (c, p)) in [("strain", strain), ("energy", energy), ("h1", h1), ("l2", l2)] {
         if record.levels.len() >= 4 {
             record.rates.insert(key.into(), rate(&record.levels, c, p));
         }
@@ -79,15 +74,8 @@ pub fn blank(levels: Vec<Level>) -> StudyRecord {
         seed: 0,
         levels,
         rates: BTreeMap::new(),
-        bounds: Bounds {
-            paper: Some(1.0),
-            today: Some(1.0),
-            expected: Some(1.0),
-        },
-        verdict: Verdict {
-            outcome: Outcome::Pass,
-            reasons: vec!["the interval lies above 0.95".into()],
-        },
+        bounds: Bounds { paper: Some(1.0), today: Some(1.0), expected: Some(1.0) },
+        verdict: Verdict { outcome: Outcome::Pass, reasons: vec!["the interval lies above 0.95".into()] },
         expect: None,
         expected_inconclusive: None,
         notes: vec!["the mesh is symmetric".into()],
@@ -113,15 +101,8 @@ fn level(k: usize, errors: impl Fn(f64) -> Errors) -> Level {
         mesh_hash: format!("{k:016x}"),
         errors: errors(h),
         ledger: None,
-        kkt: Kkt {
-            stationarity: 1.3e-14,
-            ..Kkt::default()
-        },
-        budget: Budget {
-            algebraic: Some(1e-9),
-            geometry: Some(0.0),
-            ..Budget::default()
-        },
+        kkt: Kkt { stationarity: 1.3e-14, ..Kkt::default() },
+        budget: Budget { algebraic: Some(1e-9), geometry: Some(0.0), ..Budget::default() },
         solver: SolverRecord {
             name: "condensed".into(),
             status: "converged".into(),
@@ -165,18 +146,8 @@ pub fn hard() -> Vec<(&'static str, StudyRecord)> {
     for (k, level) in null.levels.iter_mut().enumerate() {
         level.errors = Errors::default();
         level.ledger = None;
-        zero.levels[k].errors = Errors {
-            strain: Some(0.0),
-            ..Errors::default()
-        };
-        zero.levels[k].ledger = Some(Ledger {
-            lhs: 0.0,
-            a: 0.0,
-            b: 0.0,
-            c: 0.0,
-            delta: 0.0,
-            holds: None,
-        });
+        zero.levels[k].errors = Errors { strain: Some(0.0), ..Errors::default() };
+        zero.levels[k].ledger = Some(Ledger { lhs: 0.0, a: 0.0, b: 0.0, c: 0.0, delta: 0.0, holds: None });
         one_mesh.levels[k].h = 0.1;
         if let Some(ledger) = &mut negative.levels[k].ledger {
             ledger.b *= if k % 2 == 0 { -1.0 } else { 1.0 };
@@ -187,8 +158,7 @@ pub fn hard() -> Vec<(&'static str, StudyRecord)> {
             ledger.holds = [Some(true), None, Some(false)][k % 3];
         }
         if k > 4 {
-            broken.levels[k].excluded =
-                Some("reference contamination 7.1 % of the energy error, above 5 %".into());
+            broken.levels[k].excluded = Some("reference contamination 7.1 % of the energy error, above 5 %".into());
         }
     }
     null.rates.clear();
@@ -206,29 +176,21 @@ pub fn hard() -> Vec<(&'static str, StudyRecord)> {
     let mut wild = record(5, (1e-3, -40.0), (1e150, 40.0), (1.0, 1.0), (1e-250, 2.0));
     wild.bounds.today = Some(0.0);
     let mut words = healthy();
-    words.title = "A title | with a bar, far longer than any picture is wide, so that it has to be broken into lines ".repeat(3);
+    words.title =
+        "A title | with a bar, far longer than any picture is wide, so that it has to be broken into lines ".repeat(3);
     words.study = "a-study-of-a-name-that-goes-on-and-on-without-any-need-for-it-at-all-until-nobody-reads-it".into();
     for level in &mut words.levels {
-        level.excluded = Some(format!(
-            "reason {} of a length that fills the foot of the picture by itself",
-            level.level
-        ));
+        level.excluded =
+            Some(format!("reason {} of a length that fills the foot of the picture by itself", level.level));
     }
     let mut unknown = healthy();
     unknown.norm = "no-such-norm".into();
     let mut pressure = healthy();
     pressure.norm = "pressure_l2".into();
-    pressure.bounds = Bounds {
-        paper: None,
-        today: None,
-        expected: Some(0.5),
-    };
+    pressure.bounds = Bounds { paper: None, today: None, expected: Some(0.5) };
     vec![
         ("healthy", healthy()),
-        (
-            "one-level",
-            record(1, (0.2, 1.0), (0.4, 1.0), (0.2, 1.0), (0.1, 2.0)),
-        ),
+        ("one-level", record(1, (0.2, 1.0), (0.4, 1.0), (0.2, 1.0), (0.1, 2.0))),
         ("no-level", blank(Vec::new())),
         ("all-null", null),
         ("all-zero", zero),

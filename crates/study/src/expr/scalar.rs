@@ -21,10 +21,7 @@ impl Real for DualSVec64<2> {
     #[inline]
     fn chain(self, f0: f64, f1: f64, _: f64) -> Self {
         // ∂_i f = f' ∂_i x
-        let eps = self
-            .eps
-            .0
-            .map(|v| Vector2::new(times(v[0], f1), times(v[1], f1)));
+        let eps = self.eps.0.map(|v| Vector2::new(times(v[0], f1), times(v[1], f1)));
         Self::new(f0, Derivative::new(eps))
     }
 }
@@ -55,11 +52,7 @@ fn times(a: f64, f: f64) -> f64 {
 pub fn sqrt<D: Real>(x: D) -> D {
     let root = x.re().sqrt();
     let slope = 0.5 / root;
-    let bend = if x.re() == 0.0 {
-        f64::NEG_INFINITY
-    } else {
-        -0.5 * slope / x.re()
-    };
+    let bend = if x.re() == 0.0 { f64::NEG_INFINITY } else { -0.5 * slope / x.re() };
     x.chain(root, slope, bend)
 }
 
@@ -71,11 +64,7 @@ pub fn power<D: Real>(x: D, n: f64) -> D {
     if n.fract() == 0.0 && n.abs() <= 1024.0 {
         let n = n as i32;
         let (c1, c2) = (f64::from(n), f64::from(n) * f64::from(n - 1));
-        x.chain(
-            t.powi(n),
-            coefficient(c1, || t.powi(n - 1)),
-            coefficient(c2, || t.powi(n - 2)),
-        )
+        x.chain(t.powi(n), coefficient(c1, || t.powi(n - 1)), coefficient(c2, || t.powi(n - 2)))
     } else if t > 0.0 {
         // f' = n f/x, f'' = (n−1) f'/x: one call of the library's power in place of three.
         let f0 = t.powf(n);
@@ -83,11 +72,7 @@ pub fn power<D: Real>(x: D, n: f64) -> D {
         x.chain(f0, f1, (n - 1.0) * f1 / t)
     } else {
         let (c1, c2) = (n, n * (n - 1.0));
-        x.chain(
-            t.powf(n),
-            coefficient(c1, || t.powf(n - 1.0)),
-            coefficient(c2, || t.powf(n - 2.0)),
-        )
+        x.chain(t.powf(n), coefficient(c1, || t.powf(n - 1.0)), coefficient(c2, || t.powf(n - 2.0)))
     }
 }
 
@@ -100,11 +85,7 @@ fn coefficient(c: f64, f: impl Fn() -> f64) -> f64 {
 /// `(x)_+^n`; zero with all its derivatives for `x ≤ 0`.
 #[inline]
 pub fn positive_power<D: Real>(x: D, n: f64) -> D {
-    if x.re() > 0.0 {
-        power(x, n)
-    } else {
-        D::from(0.0)
-    }
+    if x.re() > 0.0 { power(x, n) } else { D::from(0.0) }
 }
 
 /// The angle of `(x, y)` in `[−π, π]`. The sign of a zero `y` does not count: on the negative axis the angle is `π`.
@@ -115,11 +96,7 @@ pub fn atan2<D: Real>(y: D, x: D) -> D {
         return (y + x).chain(angle, f64::NAN, f64::NAN);
     }
     // Divide by the larger of the two and shift the value to the right branch.
-    let turned = if a.abs() >= b.abs() {
-        (y / x).atan()
-    } else {
-        -(x / y).atan()
-    };
+    let turned = if a.abs() >= b.abs() { (y / x).atan() } else { -(x / y).atan() };
     turned + (angle - turned.re())
 }
 
@@ -165,11 +142,7 @@ mod tests {
             assert!((f1 - n * t.powf(n - 1.0)).abs() <= 1e-14 * f1.abs());
             assert!((f2 - n * (n - 1.0) * t.powf(n - 2.0)).abs() <= 1e-13 * f2.abs());
         }
-        assert_eq!(
-            parts(power(variable(-2.0), 3.0)),
-            (-8.0, 12.0, -12.0),
-            "whole exponents take a negative base"
-        );
+        assert_eq!(parts(power(variable(-2.0), 3.0)), (-8.0, 12.0, -12.0), "whole exponents take a negative base");
         assert!(power(-2.0, 0.5).is_nan());
     }
 

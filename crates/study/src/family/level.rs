@@ -25,9 +25,7 @@ pub struct Level {
 /// How many red refinements lead from `coarse` cells to `n`: `k` with `n = 2^k · coarse`, if there is one.
 pub fn refinements(coarse: usize, n: usize) -> Option<usize> {
     let ratio = (coarse > 0 && n.is_multiple_of(coarse)).then(|| n / coarse)?;
-    ratio
-        .is_power_of_two()
-        .then(|| ratio.trailing_zeros() as usize)
+    ratio.is_power_of_two().then(|| ratio.trailing_zeros() as usize)
 }
 
 /// The mesh of level `index`, with `cells[index]` cells per unit of the blocks' divisions.
@@ -48,17 +46,9 @@ pub fn build_level(
 ) -> Result<Level, Error> {
     check(family, cells)?;
     let Some(&n) = cells.get(index) else {
-        return refuse(format!(
-            "level {index} does not exist; there are {} levels, from 0",
-            cells.len()
-        ));
+        return refuse(format!("level {index} does not exist; there are {} levels, from 0", cells.len()));
     };
-    let scene = Scene {
-        family,
-        shapes,
-        outlines,
-        contact,
-    };
+    let scene = Scene { family, shapes, outlines, contact };
     let hierarchy = match refinements(cells[0], n) {
         Some(steps) if family.is_nested() => scene.refined(cells[0], steps)?,
         None if matches!(family, Family::Refined { .. }) => {
@@ -106,29 +96,19 @@ pub fn build_reference(
         return refuse(not_a_refinement(coarse, n));
     }
     match refinements(coarse, reference_n) {
-        Some(steps) => Scene {
-            family,
-            shapes,
-            outlines,
-            contact,
-        }
-        .refined(coarse, steps),
+        Some(steps) => Scene { family, shapes, outlines, contact }.refined(coarse, steps),
         None => refuse(not_a_refinement(coarse, reference_n)),
     }
 }
 
 /// Whether level `index` and the one before are refinements of the coarsest mesh.
 fn follows(cells: &[usize], index: usize) -> bool {
-    [index - 1, index]
-        .iter()
-        .all(|&i| refinements(cells[0], cells[i]).is_some())
+    [index - 1, index].iter().all(|&i| refinements(cells[0], cells[i]).is_some())
 }
 
 fn check(family: &Family, cells: &[usize]) -> Result<(), Error> {
     if cells.is_empty() || cells[0] == 0 || !cells.is_sorted() {
-        return refuse(format!(
-            "the cells {cells:?} of the levels must be positive and must not descend"
-        ));
+        return refuse(format!("the cells {cells:?} of the levels must be positive and must not descend"));
     }
     match family.amount() {
         Some(amount) if !(0.0..0.5).contains(&amount) => refuse(format!(
@@ -140,9 +120,7 @@ fn check(family: &Family, cells: &[usize]) -> Result<(), Error> {
 }
 
 fn not_a_refinement(coarse: usize, n: usize) -> String {
-    format!(
-        "{n} cells are no refinement of the coarsest level's {coarse}: use {coarse} times a power of two"
-    )
+    format!("{n} cells are no refinement of the coarsest level's {coarse}: use {coarse} times a power of two")
 }
 
 fn refuse<T>(message: String) -> Result<T, Error> {
@@ -170,9 +148,7 @@ impl Scene<'_> {
         let guard = Guard::of(&bodies);
         let mut random = Random::new(self.family.seed(), n as u64);
         if matches!(self.family, Family::Refined { .. }) {
-            bodies
-                .iter_mut()
-                .for_each(|b| turn_diagonals(b, guard, &mut random));
+            bodies.iter_mut().for_each(|b| turn_diagonals(b, guard, &mut random));
         }
         let mut mesh = Mesh::build(bodies, self.outlines, self.contact)?;
         if let Some(amount) = self.family.amount() {
@@ -183,10 +159,8 @@ impl Scene<'_> {
 
     fn triangulate(&self, body: usize, n: usize) -> Result<Triangulation, Error> {
         let shape = &self.shapes[body];
-        let block = |b: &crate::study::Block| QuadBlock {
-            corners: b.corners,
-            cells: b.divisions.map(|d| d.saturating_mul(n)),
-        };
+        let block =
+            |b: &crate::study::Block| QuadBlock { corners: b.corners, cells: b.divisions.map(|d| d.saturating_mul(n)) };
         let blocks: Vec<_> = shape.blocks.iter().map(block).collect();
         triangulate(&blocks, self.family.pattern()).map_err(|error| match error {
             Error::Mesh(message) => Error::Mesh(format!("body \"{}\": {message}", shape.name)),
@@ -197,11 +171,7 @@ impl Scene<'_> {
     /// Points that keep their place on the boundary: corners and ends of parts, of the contact polyline and of blocks.
     fn fixed(&self) -> Vec<Point> {
         let parts = self.outlines.iter().flat_map(|p| &p.along);
-        let blocks = self
-            .shapes
-            .iter()
-            .flat_map(|s| &s.blocks)
-            .flat_map(|b| &b.corners);
+        let blocks = self.shapes.iter().flat_map(|s| &s.blocks).flat_map(|b| &b.corners);
         parts.chain(self.contact).chain(blocks).copied().collect()
     }
 }

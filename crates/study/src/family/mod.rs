@@ -64,10 +64,7 @@ impl Family {
 
     /// Whether levels are refinements of the coarsest mesh, so that coarse fields can be prolonged.
     pub fn is_nested(&self) -> bool {
-        matches!(
-            self,
-            Self::Structured | Self::CrissCross | Self::Refined { .. }
-        )
+        matches!(self, Self::Structured | Self::CrissCross | Self::Refined { .. })
     }
 
     /// How the cells of a fresh mesh are cut.

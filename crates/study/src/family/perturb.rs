@@ -22,14 +22,10 @@ pub(super) struct Guard {
 impl Guard {
     /// The guard that belongs to the regular triangulations of both bodies.
     pub fn of(bodies: &[Triangulation; 2]) -> Self {
-        let cotangents = bodies
-            .iter()
-            .flat_map(|b| b.triangles.iter().map(|&t| cotangent(b, t)));
+        let cotangents = bodies.iter().flat_map(|b| b.triangles.iter().map(|&t| cotangent(b, t)));
         let worst = cotangents.fold(0.0, f64::max);
         // cot ϑ/2 = cot ϑ + √(1 + cot² ϑ)
-        Self {
-            cotangent: COT_20.max(worst + (1.0 + worst * worst).sqrt()),
-        }
+        Self { cotangent: COT_20.max(worst + (1.0 + worst * worst).sqrt()) }
     }
 
     fn allows(self, cotangent: f64) -> bool {
@@ -59,13 +55,7 @@ pub(super) fn turn_diagonals(mesh: &mut Triangulation, guard: Guard, random: &mu
 /// two parts meet, stay.
 ///
 /// Nodes move one after the other; a move that the guard forbids is halved until it is allowed.
-pub(super) fn perturb(
-    mesh: &mut Mesh,
-    fixed: &[Point],
-    amount: f64,
-    guard: Guard,
-    random: &mut Random,
-) {
+pub(super) fn perturb(mesh: &mut Mesh, fixed: &[Point], amount: f64, guard: Guard, random: &mut Random) {
     let freedoms = freedoms(mesh, fixed);
     let around = Around::new(mesh);
     let partners = partners(mesh);
@@ -135,9 +125,7 @@ impl Around {
     /// The largest cotangent in the triangles at a node.
     fn worst(&self, mesh: &Mesh, node: usize) -> f64 {
         let own = &self.triangles[self.start[node]..self.start[node + 1]];
-        let cotangents = own
-            .iter()
-            .map(|&t| largest_cotangent(mesh.corners(t as usize)));
+        let cotangents = own.iter().map(|&t| largest_cotangent(mesh.corners(t as usize)));
         cotangents.fold(0.0, f64::max)
     }
 }
@@ -159,9 +147,7 @@ fn freedoms(mesh: &Mesh, fixed: &[Point]) -> Vec<Freedom> {
         neighbours[a as usize].push((b, label));
         neighbours[b as usize].push((a, label));
     };
-    mesh.sides
-        .iter()
-        .for_each(|s| join(s.nodes, (false, s.part)));
+    mesh.sides.iter().for_each(|s| join(s.nodes, (false, s.part)));
     for side in &mesh.contact {
         join(side.first, (true, side.segment));
         join(side.second, (true, side.segment));
@@ -217,8 +203,5 @@ fn shortest_sides(mesh: &Mesh) -> Vec<f64> {
 
 fn extent(mesh: &Mesh) -> f64 {
     let from = mesh.points[0];
-    mesh.points
-        .iter()
-        .map(|p| (p - from).norm())
-        .fold(0.0, f64::max)
+    mesh.points.iter().map(|p| (p - from).norm()).fold(0.0, f64::max)
 }

@@ -51,11 +51,7 @@ mod tests {
     #[test]
     fn splitmix_matches_its_published_values() {
         let mut random = Random(1_234_567);
-        let known = [
-            6_457_827_717_110_365_317,
-            3_203_168_211_198_807_973,
-            9_817_491_932_198_370_423,
-        ];
+        let known = [6_457_827_717_110_365_317, 3_203_168_211_198_807_973, 9_817_491_932_198_370_423];
         assert_eq!([(); 3].map(|()| random.next()), known);
     }
 

@@ -19,25 +19,11 @@ struct Scene {
 
 impl Scene {
     fn level(&self, family: Family, cells: &[usize], index: usize) -> Result<Level, Error> {
-        build_level(
-            &family,
-            &self.shapes,
-            &self.outlines,
-            &self.contact,
-            cells,
-            index,
-        )
+        build_level(&family, &self.shapes, &self.outlines, &self.contact, cells, index)
     }
 
     fn reference(&self, family: Family, cells: &[usize], n: usize) -> Result<Hierarchy, Error> {
-        build_reference(
-            &family,
-            &self.shapes,
-            &self.outlines,
-            &self.contact,
-            cells,
-            n,
-        )
+        build_reference(&family, &self.shapes, &self.outlines, &self.contact, cells, n)
     }
 }
 
@@ -46,22 +32,12 @@ fn points(xy: &[[f64; 2]]) -> Vec<Point> {
 }
 
 fn shape(name: &str, blocks: &[[[f64; 2]; 4]]) -> Shape {
-    let block = |c: &[[f64; 2]; 4]| Block {
-        corners: c.map(|[x, y]| Point::new(x, y)),
-        divisions: [1, 1],
-    };
-    Shape {
-        name: name.into(),
-        blocks: blocks.iter().map(block).collect(),
-    }
+    let block = |c: &[[f64; 2]; 4]| Block { corners: c.map(|[x, y]| Point::new(x, y)), divisions: [1, 1] };
+    Shape { name: name.into(), blocks: blocks.iter().map(block).collect() }
 }
 
 fn part(body: Body, name: &str, along: &[[f64; 2]]) -> PartOutline {
-    PartOutline {
-        body,
-        name: name.into(),
-        along: points(along),
-    }
+    PartOutline { body, name: name.into(), along: points(along) }
 }
 
 fn rectangle(x: [f64; 2], y: [f64; 2]) -> [[f64; 2]; 4] {
@@ -79,11 +55,7 @@ fn squares() -> Scene {
             part(Body::First, "top", &[[1.0, 1.0], [0.0, 1.0]]),
             part(Body::First, "left", &[[0.0, 1.0], [0.0, 0.0]]),
             part(Body::First, "right", &[[1.0, 0.0], [1.0, 1.0]]),
-            part(
-                Body::Second,
-                "rest",
-                &[[0.0, 0.0], [0.0, -1.0], [1.0, -1.0], [1.0, 0.0]],
-            ),
+            part(Body::Second, "rest", &[[0.0, 0.0], [0.0, -1.0], [1.0, -1.0], [1.0, 0.0]]),
         ],
         contact: points(&[[0.0, 0.0], [1.0, 0.0]]),
         areas: [1.0, 1.0],
@@ -93,23 +65,15 @@ fn squares() -> Scene {
 
 /// Contact with a kink, two blocks to a body.
 fn kinked() -> Scene {
-    let upper = [
-        [[-1.0, 0.2], [0.0, 0.0], [0.0, 1.5], [-1.0, 1.5]],
-        [[0.0, 0.0], [1.0, 0.5], [1.0, 1.5], [0.0, 1.5]],
-    ];
-    let lower = [
-        [[-1.0, -1.0], [0.0, -1.0], [0.0, 0.0], [-1.0, 0.2]],
-        [[0.0, -1.0], [1.0, -1.0], [1.0, 0.5], [0.0, 0.0]],
-    ];
+    let upper = [[[-1.0, 0.2], [0.0, 0.0], [0.0, 1.5], [-1.0, 1.5]], [[0.0, 0.0], [1.0, 0.5], [1.0, 1.5], [0.0, 1.5]]];
+    let lower =
+        [[[-1.0, -1.0], [0.0, -1.0], [0.0, 0.0], [-1.0, 0.2]], [[0.0, -1.0], [1.0, -1.0], [1.0, 0.5], [0.0, 0.0]]];
     let top = [[1.0, 0.5], [1.0, 1.5], [-1.0, 1.5], [-1.0, 0.2]];
     let bottom = [[-1.0, 0.2], [-1.0, -1.0], [1.0, -1.0], [1.0, 0.5]];
     Scene {
         name: "kinked",
         shapes: [shape("upper", &upper), shape("lower", &lower)],
-        outlines: vec![
-            part(Body::First, "top", &top),
-            part(Body::Second, "bottom", &bottom),
-        ],
+        outlines: vec![part(Body::First, "top", &top), part(Body::Second, "bottom", &bottom)],
         contact: points(&[[-1.0, 0.2], [0.0, 0.0], [1.0, 0.5]]),
         areas: [2.65, 2.35],
         // Upper right block, at (0, 0) between the diagonal and the contact side: atan 1.5 − atan 0.5.
@@ -120,26 +84,12 @@ fn kinked() -> Scene {
 /// A punch `1 × 1` on a block `3 × 1`; contact ends inside a straight side of `Ω''`.
 fn punch() -> Scene {
     let lower = [0.0, 1.0, 2.0].map(|x| rectangle([x, x + 1.0], [-1.0, 0.0]));
-    let rest = [
-        [1.0, 0.0],
-        [0.0, 0.0],
-        [0.0, -1.0],
-        [3.0, -1.0],
-        [3.0, 0.0],
-        [2.0, 0.0],
-    ];
+    let rest = [[1.0, 0.0], [0.0, 0.0], [0.0, -1.0], [3.0, -1.0], [3.0, 0.0], [2.0, 0.0]];
     Scene {
         name: "punch",
-        shapes: [
-            shape("punch", &[rectangle([1.0, 2.0], [0.0, 1.0])]),
-            shape("base", &lower),
-        ],
+        shapes: [shape("punch", &[rectangle([1.0, 2.0], [0.0, 1.0])]), shape("base", &lower)],
         outlines: vec![
-            part(
-                Body::First,
-                "rest",
-                &[[2.0, 0.0], [2.0, 1.0], [1.0, 1.0], [1.0, 0.0]],
-            ),
+            part(Body::First, "rest", &[[2.0, 0.0], [2.0, 1.0], [1.0, 1.0], [1.0, 0.0]]),
             part(Body::Second, "rest", &rest),
         ],
         contact: points(&[[1.0, 0.0], [2.0, 0.0]]),
@@ -148,21 +98,9 @@ fn punch() -> Scene {
     }
 }
 
-const PERTURBED: Family = Family::Perturbed {
-    seed: 1,
-    amount: 0.3,
-};
-const REFINED: Family = Family::Refined {
-    seed: 1,
-    amount: 0.3,
-};
-const ALL: [Family; 5] = [
-    Family::Structured,
-    Family::CrissCross,
-    Family::UnionJack,
-    PERTURBED,
-    REFINED,
-];
+const PERTURBED: Family = Family::Perturbed { seed: 1, amount: 0.3 };
+const REFINED: Family = Family::Refined { seed: 1, amount: 0.3 };
+const ALL: [Family; 5] = [Family::Structured, Family::CrissCross, Family::UnionJack, PERTURBED, REFINED];
 
 fn scenes() -> [Scene; 3] {
     [squares(), kinked(), punch()]
@@ -170,9 +108,7 @@ fn scenes() -> [Scene; 3] {
 
 fn area(mesh: &Mesh, body: Body) -> f64 {
     let own = (0..mesh.triangles.len()).filter(|&t| mesh.body(t) == body);
-    own.map(|t| mesh.corners(t))
-        .map(|[a, b, c]| 0.5 * twice_area(a, b, c))
-        .sum()
+    own.map(|t| mesh.corners(t)).map(|[a, b, c]| 0.5 * twice_area(a, b, c)).sum()
 }
 
 /// The angle that the guard keeps at `n` cells: 20° or half of what the structured mesh has.
@@ -202,8 +138,7 @@ fn every_level_of_every_family_fills_the_bodies() {
                 assert_eq!(level.quality, mesh.quality(), "{what}");
                 assert_eq!(level.nested, family.is_nested() && index > 0, "{what}");
                 assert!(
-                    level.quality.min_angle
-                        > guard(&scene, cells[if family.is_nested() { 0 } else { index }]),
+                    level.quality.min_angle > guard(&scene, cells[if family.is_nested() { 0 } else { index }]),
                     "{what}: {:?}",
                     level.quality
                 );
@@ -279,14 +214,9 @@ fn perturbed_nodes_move_within_bounds() {
         let plain = scene.level(Family::Structured, &[n], 0).unwrap().hierarchy;
         let moved = scene.level(family, &[n], 0).unwrap().hierarchy;
         let (plain, moved) = (plain.finest(), moved.finest());
-        assert_eq!(
-            (&plain.triangles, &plain.sides),
-            (&moved.triangles, &moved.sides)
-        );
+        assert_eq!((&plain.triangles, &plain.sides), (&moved.triangles, &moved.sides));
         assert_eq!(plain.contact, moved.contact);
-        let still = (0..plain.points.len())
-            .filter(|&i| plain.points[i] == moved.points[i])
-            .count();
+        let still = (0..plain.points.len()).filter(|&i| plain.points[i] == moved.points[i]).count();
         // Corners: 4 + 4; 6 + 6, each body with a block end in its outer side; 4 + 8.
         let expected = match scene.name {
             "squares" => 8,
@@ -298,8 +228,7 @@ fn perturbed_nodes_move_within_bounds() {
             assert!((q - p).norm() <= amount * size);
         }
         // Boundary sides and contact sides keep their direction.
-        let along =
-            |m: &Mesh, [a, b]: [u32; 2]| (m.points[b as usize] - m.points[a as usize]).normalize();
+        let along = |m: &Mesh, [a, b]: [u32; 2]| (m.points[b as usize] - m.points[a as usize]).normalize();
         let contact = plain.contact.iter().flat_map(|c| [c.first, c.second]);
         for side in plain.sides.iter().map(|s| s.nodes).chain(contact) {
             assert!((along(plain, side) - along(moved, side)).norm() < 1e-13);
@@ -312,16 +241,9 @@ fn angles_are_guarded_for_many_seeds_and_sizes() {
     for scene in scenes() {
         for seed in 0..40 {
             for n in [1, 2, 5, 16] {
-                for family in [
-                    Family::Perturbed { seed, amount: 0.49 },
-                    Family::Refined { seed, amount: 0.49 },
-                ] {
+                for family in [Family::Perturbed { seed, amount: 0.49 }, Family::Refined { seed, amount: 0.49 }] {
                     let angle = scene.level(family, &[n], 0).unwrap().quality.min_angle;
-                    assert!(
-                        angle > guard(&scene, n),
-                        "{} {family:?} n = {n}: {angle}",
-                        scene.name
-                    );
+                    assert!(angle > guard(&scene, n), "{} {family:?} n = {n}: {angle}", scene.name);
                 }
             }
         }
@@ -331,10 +253,7 @@ fn angles_are_guarded_for_many_seeds_and_sizes() {
 /// Without the guard the angles would be below it: the guard has something to do.
 #[test]
 fn the_guard_is_reached() {
-    let family = Family::Perturbed {
-        seed: 3,
-        amount: 0.49,
-    };
+    let family = Family::Perturbed { seed: 3, amount: 0.49 };
     let angle = squares().level(family, &[16], 0).unwrap().quality.min_angle;
     assert!(angle < 21.0, "{angle}");
 }
@@ -342,10 +261,7 @@ fn the_guard_is_reached() {
 #[test]
 fn seeds_reproduce_and_tell_meshes_apart() {
     let hash = |family, cells: &[usize], i| squares().level(family, cells, i).unwrap().hash;
-    for make in [
-        |seed, amount| Family::Perturbed { seed, amount },
-        |seed, amount| Family::Refined { seed, amount },
-    ] {
+    for make in [|seed, amount| Family::Perturbed { seed, amount }, |seed, amount| Family::Refined { seed, amount }] {
         let family = make(1, 0.2);
         assert_eq!(hash(family, &[4], 0), hash(family, &[4], 0));
         assert_ne!(hash(family, &[4], 0), hash(make(2, 0.2), &[4], 0));
@@ -355,15 +271,7 @@ fn seeds_reproduce_and_tell_meshes_apart() {
     assert_eq!(hash(PERTURBED, &[2, 8], 1), hash(PERTURBED, &[8], 0));
     assert_ne!(hash(REFINED, &[2, 8], 1), hash(REFINED, &[8], 0));
     // Refined meshes have diagonals turned: their connectivity differs from the structured one.
-    let triangles = |family| {
-        squares()
-            .level(family, &[8], 0)
-            .unwrap()
-            .hierarchy
-            .finest()
-            .triangles
-            .clone()
-    };
+    let triangles = |family| squares().level(family, &[8], 0).unwrap().hierarchy.finest().triangles.clone();
     assert_ne!(triangles(REFINED), triangles(Family::Structured));
 }
 
@@ -374,26 +282,13 @@ fn hashes_are_stable() {
     let hash = |family| kinked().level(family, &[2, 4], 1).unwrap().hash;
     assert_eq!(
         ALL.map(hash),
-        [
-            "3d28e1a84437b33f",
-            "8b520a017b336ebd",
-            "9ec1d179b604b9c9",
-            "178afdc0c4593b3f",
-            "6363e6f6391ead82"
-        ]
+        ["3d28e1a84437b33f", "8b520a017b336ebd", "9ec1d179b604b9c9", "178afdc0c4593b3f", "6363e6f6391ead82"]
     );
 }
 
 #[test]
 fn refinements_are_powers_of_two() {
-    let table = [
-        (8, 8, Some(0)),
-        (8, 64, Some(3)),
-        (3, 12, Some(2)),
-        (8, 24, None),
-        (8, 4, None),
-        (0, 4, None),
-    ];
+    let table = [(8, 8, Some(0)), (8, 64, Some(3)), (3, 12, Some(2)), (8, 24, None), (8, 4, None), (0, 4, None)];
     for (coarse, n, k) in table {
         assert_eq!(refinements(coarse, n), k);
     }
@@ -403,8 +298,7 @@ fn refinements_are_powers_of_two() {
 fn meaningless_levels_are_refused() {
     let scene = squares();
     let level = |family, cells: &[usize], i| scene.level(family, cells, i).unwrap_err().to_string();
-    let reference =
-        |family, cells: &[usize], n| scene.reference(family, cells, n).unwrap_err().to_string();
+    let reference = |family, cells: &[usize], n| scene.reference(family, cells, n).unwrap_err().to_string();
     let amount = |amount| Family::Perturbed { seed: 0, amount };
     let table = [
         (level(Family::Structured, &[], 0), "cells []"),
@@ -414,34 +308,13 @@ fn meaningless_levels_are_refused() {
         (level(amount(0.5), &[8], 0), "by 0.5 of a cell"),
         (level(amount(-0.1), &[8], 0), "by -0.1 of a cell"),
         (level(amount(f64::NAN), &[8], 0), "by NaN of a cell"),
-        (
-            level(REFINED, &[8, 12], 1),
-            "12 cells are no refinement of the coarsest level's 8",
-        ),
-        (
-            level(Family::Structured, &[usize::MAX], 0),
-            "body \"upper\": the blocks have",
-        ),
-        (
-            reference(PERTURBED, &[8], 16),
-            "structured, criss-cross and refined are nested",
-        ),
-        (
-            reference(Family::UnionJack, &[8], 16),
-            "the family union-jack is not nested",
-        ),
-        (
-            reference(Family::Structured, &[8, 16], 8),
-            "fewer than the finest level's 16",
-        ),
-        (
-            reference(Family::Structured, &[8, 16], 24),
-            "24 cells are no refinement",
-        ),
-        (
-            reference(Family::Structured, &[8, 12], 16),
-            "12 cells are no refinement",
-        ),
+        (level(REFINED, &[8, 12], 1), "12 cells are no refinement of the coarsest level's 8"),
+        (level(Family::Structured, &[usize::MAX], 0), "body \"upper\": the blocks have"),
+        (reference(PERTURBED, &[8], 16), "structured, criss-cross and refined are nested"),
+        (reference(Family::UnionJack, &[8], 16), "the family union-jack is not nested"),
+        (reference(Family::Structured, &[8, 16], 8), "fewer than the finest level's 16"),
+        (reference(Family::Structured, &[8, 16], 24), "24 cells are no refinement"),
+        (reference(Family::Structured, &[8, 12], 16), "12 cells are no refinement"),
         (reference(Family::Structured, &[], 16), "cells []"),
     ];
     for (error, message) in table {

@@ -87,11 +87,7 @@ impl Baseline {
     /// [`StoreError`] where it cannot be read or is malformed.
     pub fn read(folder: &Path, study: &str) -> Result<Option<Self>, StoreError> {
         let path = Self::path(folder, study)?;
-        if path.is_file() {
-            read_json(&path).map(Some)
-        } else {
-            Ok(None)
-        }
+        if path.is_file() { read_json(&path).map(Some) } else { Ok(None) }
     }
 
     /// Writes it in `folder` and returns the file.
@@ -111,11 +107,7 @@ impl BaselineCase {
             scene_hash,
             profile: record.profile.clone(),
             levels: record.levels.iter().map(BaselineLevel::from).collect(),
-            rates: record
-                .rates
-                .iter()
-                .map(|(name, rate)| (name.clone(), rate.slope))
-                .collect(),
+            rates: record.rates.iter().map(|(name, rate)| (name.clone(), rate.slope)).collect(),
         }
     }
 }

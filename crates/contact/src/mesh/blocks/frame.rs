@@ -36,21 +36,13 @@ impl Frame {
     pub fn new(blocks: &[QuadBlock]) -> Result<Self, Error> {
         let size = |b: &QuadBlock| (b.corners[2] - b.corners[0]).norm();
         let tolerance = TOLERANCE * blocks.iter().map(size).fold(0.0, f64::max);
-        let mut frame = Self {
-            corners: Vec::new(),
-            sides: Vec::new(),
-            block_corners: Vec::new(),
-            block_sides: Vec::new(),
-        };
+        let mut frame =
+            Self { corners: Vec::new(), sides: Vec::new(), block_corners: Vec::new(), block_sides: Vec::new() };
         for (number, block) in blocks.iter().enumerate() {
             let corners = block.corners.map(|x| frame.corner(x, tolerance));
             let mut sides = [0; 4];
             for k in 0..4 {
-                sides[k] = frame.side(
-                    [corners[k], corners[(k + 1) % 4]],
-                    number,
-                    block.cells[k % 2],
-                )?;
+                sides[k] = frame.side([corners[k], corners[(k + 1) % 4]], number, block.cells[k % 2])?;
             }
             frame.block_corners.push(corners);
             frame.block_sides.push(sides);
@@ -60,10 +52,7 @@ impl Frame {
     }
 
     fn corner(&mut self, x: Point, tolerance: f64) -> usize {
-        let known = self
-            .corners
-            .iter()
-            .position(|c| (c.at - x).norm() <= tolerance);
+        let known = self.corners.iter().position(|c| (c.at - x).norm() <= tolerance);
         known.unwrap_or_else(|| {
             self.corners.push(Corner { at: x, node: None });
             self.corners.len() - 1
@@ -73,11 +62,7 @@ impl Frame {
     fn side(&mut self, [a, b]: [usize; 2], block: usize, cells: usize) -> Result<usize, Error> {
         let ends = [a.min(b), a.max(b)];
         let Some(known) = self.sides.iter().position(|s| s.ends == ends) else {
-            self.sides.push(Side {
-                ends,
-                block,
-                nodes: vec![None; cells - 1],
-            });
+            self.sides.push(Side { ends, block, nodes: vec![None; cells - 1] });
             return Ok(self.sides.len() - 1);
         };
         let other = &self.sides[known];
@@ -98,9 +83,7 @@ impl Frame {
         for side in &self.sides {
             let [a, b] = side.ends.map(|c| self.corners[c].at);
             let segment = Segment { a, b };
-            let within = |c: &usize| {
-                !side.ends.contains(c) && segment.distance(self.corners[*c].at) <= tolerance
-            };
+            let within = |c: &usize| !side.ends.contains(c) && segment.distance(self.corners[*c].at) <= tolerance;
             if let Some(c) = (0..self.corners.len()).find(within) {
                 let owner = self.block_corners.iter().position(|b| b.contains(&c));
                 return Err(mesh_error(format!(
@@ -119,12 +102,7 @@ impl Frame {
     }
 
     /// The node numbers of block `number`, row by row; new nodes are appended to `points`.
-    pub fn number_nodes(
-        &mut self,
-        number: usize,
-        block: &QuadBlock,
-        points: &mut Vec<Point>,
-    ) -> Vec<u32> {
+    pub fn number_nodes(&mut self, number: usize, block: &QuadBlock, points: &mut Vec<Point>) -> Vec<u32> {
         let [nx, ny] = block.cells;
         let mut nodes = Vec::with_capacity((nx + 1) * (ny + 1));
         for j in 0..=ny {
@@ -143,13 +121,7 @@ impl Frame {
     }
 
     /// The entry of node `(i, j)` of a block if it lies on the block's boundary.
-    fn shared(
-        &mut self,
-        block: usize,
-        [nx, ny]: [usize; 2],
-        i: usize,
-        j: usize,
-    ) -> Option<&mut Option<u32>> {
+    fn shared(&mut self, block: usize, [nx, ny]: [usize; 2], i: usize, j: usize) -> Option<&mut Option<u32>> {
         // Which side the node lies on, and how many cells from the side's first corner.
         let (k, place) = match (i, j) {
             (_, 0) if i < nx => (0, i),
@@ -164,11 +136,7 @@ impl Frame {
             return Some(&mut self.corners[from].node);
         }
         let inner = &mut self.sides[self.block_sides[block][k]].nodes;
-        let from_lower = if from < to {
-            place - 1
-        } else {
-            inner.len() - place
-        };
+        let from_lower = if from < to { place - 1 } else { inner.len() - place };
         Some(&mut inner[from_lower])
     }
 }

@@ -37,10 +37,7 @@ pub struct QuadBlock {
 impl QuadBlock {
     /// The node `(i, j)`: the bilinear image of `(s, t) = (i / cells[0], j / cells[1])`.
     fn node(&self, i: usize, j: usize) -> Point {
-        self.bilinear(
-            i as f64 / self.cells[0] as f64,
-            j as f64 / self.cells[1] as f64,
-        )
+        self.bilinear(i as f64 / self.cells[0] as f64, j as f64 / self.cells[1] as f64)
     }
 
     fn bilinear(&self, s: f64, t: f64) -> Point {
@@ -57,9 +54,7 @@ impl QuadBlock {
             )));
         }
         let c = self.corners;
-        let size = (c[2] - c[0])
-            .norm_squared()
-            .max((c[3] - c[1]).norm_squared());
+        let size = (c[2] - c[0]).norm_squared().max((c[3] - c[1]).norm_squared());
         let turns = [0, 1, 2, 3].map(|i| twice_area(c[(i + 3) % 4], c[i], c[(i + 1) % 4]));
         let bad = |&turn: &f64| turn.is_nan() || turn <= 1e-10 * size;
         let Some(i) = turns.iter().position(bad) else {
@@ -111,10 +106,7 @@ pub fn triangulate(blocks: &[QuadBlock], pattern: Pattern) -> Result<Triangulati
 
 fn check_size(blocks: &[QuadBlock]) -> Result<(), Error> {
     let largest = u32::MAX / 32;
-    let cells = blocks
-        .iter()
-        .map(|b| b.cells[0] as f64 * b.cells[1] as f64)
-        .sum::<f64>();
+    let cells = blocks.iter().map(|b| b.cells[0] as f64 * b.cells[1] as f64).sum::<f64>();
     if cells > f64::from(largest) {
         return Err(mesh_error(format!(
             "the blocks have {cells:.3e} cells together; node numbers of 32 bits reach to {largest}: use fewer"
@@ -124,20 +116,12 @@ fn check_size(blocks: &[QuadBlock]) -> Result<(), Error> {
 }
 
 /// The corners of each cell, row by row: lower left, lower right, upper right, upper left.
-fn cells<'a>(
-    block: &QuadBlock,
-    nodes: &'a [u32],
-) -> impl Iterator<Item = (usize, usize, [u32; 4])> + use<'a> {
+fn cells<'a>(block: &QuadBlock, nodes: &'a [u32]) -> impl Iterator<Item = (usize, usize, [u32; 4])> + use<'a> {
     let [nx, ny] = block.cells;
     let node = move |i: usize, j: usize| nodes[j * (nx + 1) + i];
     (0..ny).flat_map(move |j| {
         (0..nx).map(move |i| {
-            let corners = [
-                node(i, j),
-                node(i + 1, j),
-                node(i + 1, j + 1),
-                node(i, j + 1),
-            ];
+            let corners = [node(i, j), node(i + 1, j), node(i + 1, j + 1), node(i, j + 1)];
             (i, j, corners)
         })
     })
@@ -162,9 +146,7 @@ fn add_criss_cross(mesh: &mut Triangulation, block: &QuadBlock, nodes: &[u32]) {
     for (i, j, [a, b, c, d]) in cells(block, nodes) {
         let m = mesh.points.len() as u32;
         let [nx, ny] = block.cells.map(|n| n as f64);
-        mesh.points
-            .push(block.bilinear((i as f64 + 0.5) / nx, (j as f64 + 0.5) / ny));
-        mesh.triangles
-            .extend([[a, b, m], [b, c, m], [c, d, m], [d, a, m]]);
+        mesh.points.push(block.bilinear((i as f64 + 0.5) / nx, (j as f64 + 0.5) / ny));
+        mesh.triangles.extend([[a, b, m], [b, c, m], [c, d, m], [d, a, m]]);
     }
 }

@@ -46,26 +46,10 @@ impl Hierarchy {
     pub fn new(coarse: Mesh) -> Self {
         let sides = Sides::new(&coarse.triangles);
         // A contact side is a side of a triangle in both bodies: `Mesh::build` saw to it.
-        let number = |[a, b]: [u32; 2]| {
-            sides
-                .find(a, b)
-                .expect("a contact side is a side of a triangle in each body")
-        };
-        let contact = coarse
-            .contact
-            .iter()
-            .map(|c| [number(c.first), number(c.second)]);
-        let macro_sides = MacroSides {
-            count: sides.len(),
-            contact: contact.collect(),
-            of: sides.of,
-        };
-        Self {
-            levels: vec![coarse],
-            parents: vec![Vec::new()],
-            macro_sides,
-            template: Template::new(),
-        }
+        let number = |[a, b]: [u32; 2]| sides.find(a, b).expect("a contact side is a side of a triangle in each body");
+        let contact = coarse.contact.iter().map(|c| [number(c.first), number(c.second)]);
+        let macro_sides = MacroSides { count: sides.len(), contact: contact.collect(), of: sides.of };
+        Self { levels: vec![coarse], parents: vec![Vec::new()], macro_sides, template: Template::new() }
     }
 
     /// The meshes, coarsest first.
@@ -98,15 +82,8 @@ impl Hierarchy {
     /// # Panics
     /// If `from > to`, `to` is no level, or `nodal` does not have one value per node of level `from`.
     pub fn prolong(&self, from: usize, to: usize, nodal: &[Vec2]) -> Vec<Vec2> {
-        assert!(
-            from <= to,
-            "prolongation runs from coarse to fine, not from {from} to {to}"
-        );
-        assert_eq!(
-            nodal.len(),
-            self.levels[from].points.len(),
-            "one value per node of level {from}"
-        );
+        assert!(from <= to, "prolongation runs from coarse to fine, not from {from} to {to}");
+        assert_eq!(nodal.len(), self.levels[from].points.len(), "one value per node of level {from}");
         let mut values = Vec::with_capacity(self.levels[to].points.len());
         values.extend_from_slice(nodal);
         for level in from + 1..=to {
@@ -136,11 +113,7 @@ impl<'a> Refiner<'a> {
     fn new(hierarchy: &'a Hierarchy) -> Self {
         let mesh = hierarchy.finest();
         let pieces = 1 << (hierarchy.levels.len() - 1);
-        Self {
-            hierarchy,
-            mesh,
-            pieces,
-        }
+        Self { hierarchy, mesh, pieces }
     }
 
     fn refine(&self) -> (Mesh, Vec<[u32; 2]>) {
@@ -158,9 +131,7 @@ impl<'a> Refiner<'a> {
             first_triangles: 4 * mesh.first_triangles,
             sides: mesh.sides.iter().flat_map(|s| self.halves(s)).collect(),
             parts: mesh.parts.clone(),
-            contact: (0..mesh.contact.len())
-                .flat_map(|c| self.contact_halves(c))
-                .collect(),
+            contact: (0..mesh.contact.len()).flat_map(|c| self.contact_halves(c)).collect(),
         };
         (fine, parents)
     }
@@ -169,10 +140,7 @@ impl<'a> Refiner<'a> {
     fn triangles(&self) -> (Vec<[u32; 3]>, Vec<[u32; 2]>) {
         let old = self.mesh.points.len();
         let count = self.new_nodes();
-        assert!(
-            old + count <= u32::MAX as usize,
-            "node numbers of 32 bits end here"
-        );
+        assert!(old + count <= u32::MAX as usize, "node numbers of 32 bits end here");
         let mut parents = vec![[0; 2]; count];
         let mut triangles = Vec::with_capacity(4 * self.mesh.triangles.len());
         for (t, &corners) in self.mesh.triangles.iter().enumerate() {
@@ -212,11 +180,7 @@ impl<'a> Refiner<'a> {
 
     /// The new node on piece `piece` of macro-side `number`, counted from the first of the macro-nodes `ends`.
     fn on_macro_side(&self, number: u32, ends: [u32; 2], piece: usize) -> u32 {
-        let from_lower = if ends[0] < ends[1] {
-            piece
-        } else {
-            self.pieces - 1 - piece
-        };
+        let from_lower = if ends[0] < ends[1] { piece } else { self.pieces - 1 - piece };
         (self.mesh.points.len() + number as usize * self.pieces + from_lower) as u32
     }
 
@@ -224,11 +188,7 @@ impl<'a> Refiner<'a> {
         let (t, [a, b]) = (side.triangle, side.nodes);
         let corner = |node| position(self.mesh.triangles[t as usize], node);
         let middle = self.midpoint(t as usize, 3 - corner(a) - corner(b));
-        let half = |nodes, corner| BoundarySide {
-            nodes,
-            triangle: 4 * t + corner as u32,
-            part: side.part,
-        };
+        let half = |nodes, corner| BoundarySide { nodes, triangle: 4 * t + corner as u32, part: side.part };
         [half([a, middle], corner(a)), half([middle, b], corner(b))]
     }
 
@@ -239,26 +199,14 @@ impl<'a> Refiner<'a> {
         let coarse = self.hierarchy.levels[0].contact[macro_side];
         let first = self.on_macro_side(n, coarse.first, piece);
         let second = self.on_macro_side(m, coarse.second, piece);
-        let half = |f, s| ContactSide {
-            first: f,
-            second: s,
-            segment: side.segment,
-        };
-        [
-            half([side.first[0], first], [side.second[0], second]),
-            half([first, side.first[1]], [second, side.second[1]]),
-        ]
+        let half = |f, s| ContactSide { first: f, second: s, segment: side.segment };
+        [half([side.first[0], first], [side.second[0], second]), half([first, side.first[1]], [second, side.second[1]])]
     }
 }
 
 /// The four children of a triangle with corners `c` and side midpoints `m`.
 fn children(c: [u32; 3], m: [u32; 3]) -> [[u32; 3]; 4] {
-    [
-        [c[0], m[2], m[1]],
-        [m[2], c[1], m[0]],
-        [m[1], m[0], c[2]],
-        m,
-    ]
+    [[c[0], m[2], m[1]], [m[2], c[1], m[0]], [m[1], m[0], c[2]], m]
 }
 
 /// Which corner of the triangle a node is.

@@ -35,12 +35,7 @@ impl Template {
             // The lattice of the next level is twice as fine: a corner doubles, a midpoint is the sum of the ends.
             let double = c.map(|x| sum(x, x));
             let m = [sum(c[1], c[2]), sum(c[2], c[0]), sum(c[0], c[1])];
-            [
-                [double[0], m[2], m[1]],
-                [m[2], double[1], m[0]],
-                [m[1], m[0], double[2]],
-                m,
-            ]
+            [[double[0], m[2], m[1]], [m[2], double[1], m[0]], [m[1], m[0], double[2]], m]
         });
         Self::of(children.collect())
     }
@@ -53,10 +48,7 @@ impl Template {
         let mut place = |m: Lattice| match m.iter().position(|&x| x == 0) {
             Some(side) => {
                 let piece = (m[(side + 2) % 3] - 1) / 2;
-                Midpoint::OnSide {
-                    side: side as u32,
-                    piece,
-                }
+                Midpoint::OnSide { side: side as u32, piece }
             }
             None => {
                 let number = &mut numbers[m[1] as usize * (2 * pieces + 1) + m[2] as usize];
@@ -67,15 +59,8 @@ impl Template {
                 Midpoint::Inside(*number)
             }
         };
-        let midpoints = corners
-            .iter()
-            .map(|c| [0, 1, 2].map(|i| place(sum(c[(i + 1) % 3], c[(i + 2) % 3]))))
-            .collect();
-        Self {
-            midpoints,
-            inside: inside as usize,
-            corners,
-        }
+        let midpoints = corners.iter().map(|c| [0, 1, 2].map(|i| place(sum(c[(i + 1) % 3], c[(i + 2) % 3])))).collect();
+        Self { midpoints, inside: inside as usize, corners }
     }
 }
 

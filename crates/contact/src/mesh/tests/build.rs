@@ -9,11 +9,7 @@ fn two_squares_have_the_known_counts() {
     for n in [1, 2, 5] {
         for pattern in PATTERNS {
             let mesh = squares(n, pattern).build().unwrap();
-            let (cut, centres) = if pattern == Pattern::CrissCross {
-                (4, n * n)
-            } else {
-                (2, 0)
-            };
+            let (cut, centres) = if pattern == Pattern::CrissCross { (4, n * n) } else { (2, 0) };
             assert_eq!(mesh.points.len(), 2 * ((n + 1) * (n + 1) + centres));
             assert_eq!(mesh.triangles.len(), 2 * cut * n * n);
             assert_eq!(mesh.first_triangles, cut * n * n);
@@ -42,10 +38,7 @@ fn boundary_sides_are_oriented() {
     let mesh = kinked(3, Pattern::UnionJack).build().unwrap();
     for side in &mesh.sides {
         let triangle = mesh.triangles[side.triangle as usize];
-        let inner = triangle
-            .into_iter()
-            .find(|i| !side.nodes.contains(i))
-            .unwrap();
+        let inner = triangle.into_iter().find(|i| !side.nodes.contains(i)).unwrap();
         let [a, b, c] = [side.nodes[0], side.nodes[1], inner].map(|i| mesh.points[i as usize]);
         assert!(twice_area(a, b, c) > 0.0);
         let body = mesh.parts[side.part as usize].body;
@@ -65,10 +58,7 @@ pub fn check_contact(mesh: &Mesh, polyline: &[Point]) {
         }
         let [a, b] = side.first.map(|i| mesh.points[i as usize]);
         assert!((a - last.1).norm() < 1e-15, "a gap before {a}");
-        assert!(
-            side.segment == last.0
-                || side.segment == last.0 + 1 && a == polyline[side.segment as usize]
-        );
+        assert!(side.segment == last.0 || side.segment == last.0 + 1 && a == polyline[side.segment as usize]);
         // The side points along its segment, Ω' on the left.
         let k = side.segment as usize;
         assert!((right_normal(a, b) - right_normal(polyline[k], polyline[k + 1])).norm() < 1e-12);
@@ -97,15 +87,10 @@ fn contact_sides_do_not_depend_on_the_numbering() {
         body.triangles.reverse();
         body.points.reverse();
         let last = body.points.len() as u32 - 1;
-        body.triangles
-            .iter_mut()
-            .for_each(|t| *t = t.map(|i| last - i));
+        body.triangles.iter_mut().for_each(|t| *t = t.map(|i| last - i));
     }
     let places = |mesh: &Mesh| -> Vec<_> {
-        mesh.contact
-            .iter()
-            .map(|c| (c.first.map(|i| mesh.points[i as usize]), c.segment))
-            .collect()
+        mesh.contact.iter().map(|c| (c.first.map(|i| mesh.points[i as usize]), c.segment)).collect()
     };
     assert_eq!(places(&mesh), places(&turned.build().unwrap()));
 }
@@ -114,11 +99,7 @@ fn contact_sides_do_not_depend_on_the_numbering() {
 #[test]
 fn partners_coincide_to_the_last_bit() {
     let mut scene = squares(3, Pattern::Structured);
-    let moved = scene.bodies[1]
-        .points
-        .iter()
-        .position(|p| p.y == 0.0 && p.x > 0.0)
-        .unwrap();
+    let moved = scene.bodies[1].points.iter().position(|p| p.y == 0.0 && p.x > 0.0).unwrap();
     scene.bodies[1].points[moved] += Point::new(3e-16, -2e-16);
     let contact = scene.contact.clone();
     check_contact(&scene.build().unwrap(), &contact);

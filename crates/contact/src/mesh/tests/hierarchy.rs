@@ -14,10 +14,7 @@ fn refined(coarse: Mesh, steps: usize) -> Hierarchy {
 
 /// Sides of all triangles, lower node first.
 fn edges(mesh: &Mesh) -> BTreeSet<[u32; 2]> {
-    let sides = mesh
-        .triangles
-        .iter()
-        .flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+    let sides = mesh.triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
     sides.map(|[a, b]| [a.min(b), a.max(b)]).collect()
 }
 
@@ -54,18 +51,13 @@ fn refining_criss_cross_keeps_nodes_and_shapes() {
     let fine = hierarchy.finest();
     let direct = squares(2 * n, Pattern::CrissCross).build().unwrap();
     let places = |m: &Mesh| -> BTreeSet<_> {
-        m.points
-            .iter()
-            .map(|p| [p.x, p.y].map(|x| (x * 4.0 * n as f64) as i64))
-            .collect()
+        m.points.iter().map(|p| [p.x, p.y].map(|x| (x * 4.0 * n as f64) as i64)).collect()
     };
     assert_eq!(places(fine), places(&direct));
     assert_eq!(fine.triangles.len(), direct.triangles.len());
     assert!((fine.quality().h - direct.quality().h).abs() < 1e-15);
     assert!((fine.quality().min_angle - 45.0).abs() < 1e-12);
-    let kept = geometry(fine, 2 * n)
-        .intersection(&geometry(&direct, 2 * n))
-        .count();
+    let kept = geometry(fine, 2 * n).intersection(&geometry(&direct, 2 * n)).count();
     assert_eq!(kept, direct.triangles.len() / 2);
 }
 
@@ -88,19 +80,13 @@ fn new_nodes_are_midpoints_in_the_stated_order() {
             for j in 0..pieces {
                 let x = fine.points[coarse.points.len() + e * pieces + j];
                 let s = (j as f64 + 0.5) / pieces as f64;
-                assert!(
-                    (x - (a + s * (b - a))).norm() < 1e-15,
-                    "level {k}, side {e}, piece {j}"
-                );
+                assert!((x - (a + s * (b - a))).norm() < 1e-15, "level {k}, side {e}, piece {j}");
             }
         }
         for (i, &[a, b]) in parents.iter().enumerate() {
             let node = coarse.points.len() + i;
             assert!(a < b);
-            assert_eq!(
-                2.0 * fine.points[node],
-                coarse.points[a as usize] + coarse.points[b as usize]
-            );
+            assert_eq!(2.0 * fine.points[node], coarse.points[a as usize] + coarse.points[b as usize]);
             assert_eq!(fine.node_bodies[node], coarse.node_bodies[b as usize]);
         }
     }
@@ -153,25 +139,14 @@ fn refined_meshes_pass_all_checks_again() {
         let hierarchy = refined(scene.clone().build().unwrap(), 3);
         for mesh in hierarchy.levels() {
             let again = Mesh::build(split(mesh), &scene.parts, &scene.contact).unwrap();
-            let place = |m: &Mesh, i: u32| {
-                [
-                    m.points[i as usize].x.to_bits(),
-                    m.points[i as usize].y.to_bits(),
-                ]
-            };
+            let place = |m: &Mesh, i: u32| [m.points[i as usize].x.to_bits(), m.points[i as usize].y.to_bits()];
             let sides = |m: &Mesh| -> BTreeMap<_, _> {
-                let side = |s: &crate::mesh::BoundarySide| {
-                    (s.nodes.map(|i| place(m, i)), (s.triangle, s.part))
-                };
+                let side = |s: &crate::mesh::BoundarySide| (s.nodes.map(|i| place(m, i)), (s.triangle, s.part));
                 m.sides.iter().map(side).collect()
             };
             assert_eq!(sides(mesh), sides(&again));
-            let contact = |m: &Mesh| -> Vec<_> {
-                m.contact
-                    .iter()
-                    .map(|c| (c.first.map(|i| place(m, i)), c.segment))
-                    .collect()
-            };
+            let contact =
+                |m: &Mesh| -> Vec<_> { m.contact.iter().map(|c| (c.first.map(|i| place(m, i)), c.segment)).collect() };
             assert_eq!(contact(mesh), contact(&again));
             check_contact(mesh, &scene.contact);
             assert!((area(mesh, Body::First) - 2.65).abs() < 1e-13);

@@ -32,26 +32,16 @@ pub fn points<const N: usize>(xy: [[f64; 2]; N]) -> [Point; N] {
 }
 
 pub fn block(corners: [[f64; 2]; 4], cells: [usize; 2]) -> QuadBlock {
-    QuadBlock {
-        corners: points(corners),
-        cells,
-    }
+    QuadBlock { corners: points(corners), cells }
 }
 
 pub fn part<const N: usize>(body: Body, name: &str, along: [[f64; 2]; N]) -> PartOutline {
-    PartOutline {
-        body,
-        name: name.into(),
-        along: points(along).to_vec(),
-    }
+    PartOutline { body, name: name.into(), along: points(along).to_vec() }
 }
 
 pub fn square(low: [f64; 2], n: usize) -> QuadBlock {
     let [x, y] = low;
-    block(
-        [[x, y], [x + 1.0, y], [x + 1.0, y + 1.0], [x, y + 1.0]],
-        [n, n],
-    )
+    block([[x, y], [x + 1.0, y], [x + 1.0, y + 1.0], [x, y + 1.0]], [n, n])
 }
 
 /// Two unit squares, `Ω'` above and `Ω''` below the contact zone `0 < x < 1, y = 0`.
@@ -63,11 +53,7 @@ pub fn squares(n: usize, pattern: Pattern) -> Scene {
             part(Body::First, "top", [[1.0, 1.0], [0.0, 1.0]]),
             part(Body::First, "walls", [[0.0, 0.0], [0.0, 1.0]]),
             part(Body::First, "right", [[1.0, 0.0], [1.0, 1.0]]),
-            part(
-                Body::Second,
-                "rest",
-                [[0.0, 0.0], [0.0, -1.0], [1.0, -1.0], [1.0, 0.0]],
-            ),
+            part(Body::Second, "rest", [[0.0, 0.0], [0.0, -1.0], [1.0, -1.0], [1.0, 0.0]]),
         ],
         contact: points([[0.0, 0.0], [1.0, 0.0]]).to_vec(),
     }
@@ -87,10 +73,7 @@ pub fn kinked(n: usize, pattern: Pattern) -> Scene {
     let bottom = [[-1.0, 0.2], [-1.0, -1.0], [1.0, -1.0], [1.0, 0.5]];
     Scene {
         bodies: [&upper, &lower].map(|b| triangulate(b, pattern).unwrap()),
-        parts: vec![
-            part(Body::First, "top", top),
-            part(Body::Second, "bottom", bottom),
-        ],
+        parts: vec![part(Body::First, "top", top), part(Body::Second, "bottom", bottom)],
         contact: points([[-1.0, 0.2], [0.0, 0.0], [1.0, 0.5]]).to_vec(),
     }
 }
@@ -98,7 +81,5 @@ pub fn kinked(n: usize, pattern: Pattern) -> Scene {
 /// Area by the shoelace sum over the triangles of a body.
 pub fn area(mesh: &Mesh, body: Body) -> f64 {
     let own = (0..mesh.triangles.len()).filter(|&t| mesh.body(t) == body);
-    own.map(|t| mesh.corners(t))
-        .map(|[a, b, c]| 0.5 * twice_area(a, b, c))
-        .sum()
+    own.map(|t| mesh.corners(t)).map(|[a, b, c]| 0.5 * twice_area(a, b, c)).sum()
 }

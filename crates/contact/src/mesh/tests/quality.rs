@@ -9,11 +9,8 @@ fn squares_have_known_quality() {
     let root2 = std::f64::consts::SQRT_2;
     for n in [1, 3, 8] {
         let side = 1.0 / n as f64;
-        let table = [
-            (Pattern::Structured, root2 * side),
-            (Pattern::UnionJack, root2 * side),
-            (Pattern::CrissCross, side),
-        ];
+        let table =
+            [(Pattern::Structured, root2 * side), (Pattern::UnionJack, root2 * side), (Pattern::CrissCross, side)];
         for (pattern, h) in table {
             let q = squares(n, pattern).build().unwrap().quality();
             assert!((q.h - h).abs() < 1e-15, "{pattern:?} {q:?}");
@@ -29,11 +26,7 @@ fn angles_of_known_triangles() {
     let angle = |xy| f64::atan2(1.0, largest_cotangent(points(xy))).to_degrees();
     assert!((angle([[0.0, 0.0], [2.0, 0.0], [1.0, root3]]) - 60.0).abs() < 1e-12);
     assert!((angle([[0.0, 0.0], [0.0, -1.0], [root3, 0.0]]) - 30.0).abs() < 1e-12);
-    assert_eq!(
-        angle([[0.0, 0.0], [0.0, 1.0], [1.0, 0.0]]),
-        0.0,
-        "clockwise"
-    );
+    assert_eq!(angle([[0.0, 0.0], [0.0, 1.0], [1.0, 0.0]]), 0.0, "clockwise");
     assert_eq!(angle([[0.0, 0.0], [1.0, 1.0], [2.0, 2.0]]), 0.0, "flat");
 }
 
@@ -41,10 +34,7 @@ fn angles_of_known_triangles() {
 #[test]
 fn the_side_ratio_spans_both_bodies() {
     let mut scene = squares(2, Pattern::Structured);
-    let upper = super::QuadBlock {
-        cells: [2, 10],
-        ..square([0.0, 0.0], 1)
-    };
+    let upper = super::QuadBlock { cells: [2, 10], ..square([0.0, 0.0], 1) };
     scene.bodies[0] = triangulate(&[upper], Pattern::Structured).unwrap();
     let q = scene.build().unwrap().quality();
     // Longest: a diagonal of Ω'', √½; shortest: an upright side of Ω', 1/10.
@@ -54,11 +44,7 @@ fn the_side_ratio_spans_both_bodies() {
 /// Published values of FNV-1a with 64 bits.
 #[test]
 fn fnv_matches_its_published_values() {
-    let table = [
-        ("", 0xcbf29ce484222325),
-        ("a", 0xaf63dc4c8601ec8c),
-        ("foobar", 0x85944171f73967e8),
-    ];
+    let table = [("", 0xcbf29ce484222325), ("a", 0xaf63dc4c8601ec8c), ("foobar", 0x85944171f73967e8)];
     for (text, value) in table {
         let mut hash = Fnv1a::default();
         hash.bytes(text.as_bytes());
@@ -69,10 +55,7 @@ fn fnv_matches_its_published_values() {
 /// The value was computed by a second program from the description alone.
 #[test]
 fn hashes_are_stable() {
-    assert_eq!(
-        squares(2, Pattern::Structured).build().unwrap().hash(),
-        "6f34566395359f58"
-    );
+    assert_eq!(squares(2, Pattern::Structured).build().unwrap().hash(), "6f34566395359f58");
 }
 
 #[test]

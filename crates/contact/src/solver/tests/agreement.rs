@@ -10,10 +10,7 @@ pub fn condensed(qp: &BoundQp) -> QpSolution {
 }
 
 pub fn interior(qp: &BoundQp) -> QpSolution {
-    let settings = Settings {
-        method: Method::InteriorPoint,
-        ..Settings::default()
-    };
+    let settings = Settings { method: Method::InteriorPoint, ..Settings::default() };
     solve(qp, &settings)
 }
 

@@ -54,16 +54,8 @@ impl Random {
 pub fn problem(matrix: &DMatrix<f64>, load: &[f64], bounds: &[(usize, f64)]) -> BoundQp {
     let mut load = load.to_vec();
     load.resize(load.len().next_multiple_of(2), 0.0);
-    let bound = |&(dof, upper): &(usize, f64)| Bound {
-        dof: dof as u32,
-        upper,
-    };
-    BoundQp {
-        matrix: block_matrix(matrix),
-        load,
-        bounds: bounds.iter().map(bound).collect(),
-        ..Default::default()
-    }
+    let bound = |&(dof, upper): &(usize, f64)| Bound { dof: dof as u32, upper };
+    BoundQp { matrix: block_matrix(matrix), load, bounds: bounds.iter().map(bound).collect(), ..Default::default() }
 }
 
 fn block_matrix(matrix: &DMatrix<f64>) -> BlockMatrix {

@@ -32,10 +32,7 @@ pub fn plate(n: usize) -> Plate {
         load[2 * (n * (n - 1) + i) + 1] = 0.3 * step;
         load[2 * (n * (n - 1) + i)] = 0.05 * step;
     }
-    let bound = |i: usize| Bound {
-        dof: 2 * i as u32 + 1,
-        upper: 0.05 * (i as f64 * step).powi(2),
-    };
+    let bound = |i: usize| Bound { dof: 2 * i as u32 + 1, upper: 0.05 * (i as f64 * step).powi(2) };
     let qp = BoundQp {
         matrix: from_blocks(n * n, &clamped),
         load,
@@ -59,11 +56,7 @@ fn stiffness(n: usize) -> BTreeMap<(usize, usize), [f64; 4]> {
 }
 
 /// Adds `½ h² ∫ τ:ε`, from the gradients times `h`: the mesh size cancels.
-fn add_triangle(
-    blocks: &mut BTreeMap<(usize, usize), [f64; 4]>,
-    nodes: [usize; 3],
-    gradient: [[f64; 2]; 3],
-) {
+fn add_triangle(blocks: &mut BTreeMap<(usize, usize), [f64; 4]>, nodes: [usize; 3], gradient: [[f64; 2]; 3]) {
     let nu = 0.3;
     let (lambda, mu) = (nu / (1.0 - nu * nu), 0.5 / (1.0 + nu));
     for (p, &a) in nodes.iter().enumerate() {
@@ -108,12 +101,7 @@ fn a_loose_interior_point_shows_in_the_algebraic_error() {
     };
     let size = (2.0 * energy(&qp, &truth.x).abs()).sqrt();
     for (tolerance, least, most) in [(1e-2, 1e-4, 0.3), (1e-4, 1e-6, 1e-2), (1e-11, 0.0, 1e-5)] {
-        let settings = Settings {
-            method: Method::InteriorPoint,
-            tolerance,
-            crossover: false,
-            ..Settings::default()
-        };
+        let settings = Settings { method: Method::InteriorPoint, tolerance, crossover: false, ..Settings::default() };
         let loose = solve(&qp, &settings);
         assert!(matches!(loose.status, Status::Converged { .. }), "{:?}", loose.status);
         let error = norm(&loose.x) / size;
