@@ -1,7 +1,6 @@
 //! Irregular meshes: nodes moved and diagonals turned at random, angles guarded.
 
 use super::random::Random;
-use signorini_contact::geometry::cross;
 use signorini_contact::mesh::quality::largest_cotangent;
 use signorini_contact::mesh::{Mesh, Triangulation};
 use signorini_contact::{Point, Vec2};
@@ -51,8 +50,8 @@ pub(super) fn turn_diagonals(mesh: &mut Triangulation, guard: Guard, random: &mu
 }
 
 /// Moves each node by at most `amount` times the shortest side at it: inner nodes in any direction, boundary and contact nodes
-/// along their straight part, both nodes of a contact pair together. Nodes at the `fixed` points on the boundary, and where
-/// two parts meet, stay.
+/// along their straight line, both nodes of a contact pair together. Nodes at the `fixed` points on the boundary stay:
+/// every corner of a body must be among them, and every end of a part.
 ///
 /// Nodes move one after the other; a move that the guard forbids is halved until it is allowed.
 pub(super) fn perturb(mesh: &mut Mesh, fixed: &[Point], amount: f64, guard: Guard, random: &mut Random) {
@@ -139,41 +138,28 @@ enum Freedom {
     None,
 }
 
-/// Inner nodes are free; a boundary node between two sides of one straight part is free along it; others stay.
+/// Inner nodes are free; a boundary node that is not fixed lies between two sides of one straight line, since corners are
+/// fixed, and is free along it.
 fn freedoms(mesh: &Mesh, fixed: &[Point]) -> Vec<Freedom> {
-    // The neighbours of a node on the boundary, each with the part or contact segment of the side between.
-    let mut neighbours: Vec<Vec<(u32, (bool, u16))>> = vec![Vec::new(); mesh.points.len()];
-    let mut join = |[a, b]: [u32; 2], label| {
-        neighbours[a as usize].push((b, label));
-        neighbours[b as usize].push((a, label));
-    };
-    mesh.sides.iter().for_each(|s| join(s.nodes, (false, s.part)));
-    for side in &mesh.contact {
-        join(side.first, (true, side.segment));
-        join(side.second, (true, side.segment));
+    let mut neighbours: Vec<Vec<u32>> = vec![Vec::new(); mesh.points.len()];
+    let contact = mesh.contact.iter().flat_map(|c| [c.first, c.second]);
+    for [a, b] in mesh.sides.iter().map(|s| s.nodes).chain(contact) {
+        neighbours[a as usize].push(b);
+        neighbours[b as usize].push(a);
     }
     let tolerance = 1e-10 * extent(mesh);
-    let freedom = |(i, beside): (usize, &Vec<_>)| {
+    let freedom = |(i, beside): (usize, &Vec<u32>)| {
         let at = mesh.points[i];
         let stays = || fixed.iter().any(|f| (f - at).norm() <= tolerance);
         match beside[..] {
             [] => Freedom::Inner,
-            [(a, part), (b, other)] if part == other && !stays() => {
-                straight(mesh.points[a as usize] - at, mesh.points[b as usize] - at)
+            [a, b] if !stays() => {
+                Freedom::Along((mesh.points[b as usize] - mesh.points[a as usize]).normalize())
             }
             _ => Freedom::None,
         }
     };
     neighbours.iter().enumerate().map(freedom).collect()
-}
-
-/// Free along two sides if they run in opposite directions.
-fn straight(a: Vec2, b: Vec2) -> Freedom {
-    if a.dot(&b) < 0.0 && cross(a, b).abs() <= 1e-10 * a.norm() * b.norm() {
-        Freedom::Along((b - a).normalize())
-    } else {
-        Freedom::None
-    }
 }
 
 /// The other node of each contact pair.
