@@ -40,7 +40,11 @@ pub fn certify(
     multipliers: &[f64],
     scales: &CertificateScales,
 ) -> Certificate {
-    let slack: Vec<f64> = qp.bounds.iter().map(|b| b.upper - x[b.dof as usize]).collect();
+    let slack: Vec<f64> = qp
+        .bounds
+        .iter()
+        .map(|b| b.upper - x[b.dof as usize])
+        .collect();
     let max_multiplier = largest(multipliers);
     let small_slack = WEAK * scales.displacement;
     let presses = |multiplier: f64| multiplier > WEAK * max_multiplier;
@@ -55,7 +59,9 @@ pub fn certify(
             .filter(|&(multiplier, slack)| !presses(multiplier) && slack < small_slack)
             .count(),
         max_multiplier,
-        active: pairs().filter(|&(multiplier, _)| presses(multiplier)).count(),
+        active: pairs()
+            .filter(|&(multiplier, _)| presses(multiplier))
+            .count(),
     }
 }
 
@@ -77,5 +83,9 @@ fn largest_deficit(v: &[f64]) -> f64 {
 
 /// 0 where both vanish.
 fn ratio(numerator: f64, denominator: f64) -> f64 {
-    if numerator == 0.0 { 0.0 } else { numerator / denominator }
+    if numerator == 0.0 {
+        0.0
+    } else {
+        numerator / denominator
+    }
 }

@@ -205,11 +205,5 @@ fn factorise(
 /// The pattern in faer's terms.
 fn pattern(triangle: &UpperTriangle) -> SymbolicSparseColMatRef<'_, usize> {
     let n = triangle.column_start.len() - 1;
-    SymbolicSparseColMatRef::new_checked(
-        n,
-        n,
-        &triangle.column_start,
-        None,
-        &triangle.rows,
-    )
+    SymbolicSparseColMatRef::new_checked(n, n, &triangle.column_start, None, &triangle.rows)
 }

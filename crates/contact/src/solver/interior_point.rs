@@ -99,7 +99,13 @@ impl<'a> Problem<'a> {
         let load = &self.qp.load;
         let diagonal = |i: usize| self.qp.matrix.diagonal_block(i / 2)[3 * (i % 2)];
         let direction: Vec<f64> = (0..load.len())
-            .map(|i| if diagonal(i) > 0.0 { load[i] / diagonal(i) } else { 0.0 })
+            .map(|i| {
+                if diagonal(i) > 0.0 {
+                    load[i] / diagonal(i)
+                } else {
+                    0.0
+                }
+            })
             .collect();
         let work: f64 = load.iter().zip(&direction).map(|(f, d)| f * d).sum();
         // ½ dᵀKd
@@ -112,7 +118,11 @@ impl<'a> Problem<'a> {
             };
         }
         let bounds: Vec<f64> = self.qp.bounds.iter().map(|b| b.upper).collect();
-        let size = if largest(&bounds) > 0.0 { largest(&bounds) } else { 1.0 };
+        let size = if largest(&bounds) > 0.0 {
+            largest(&bounds)
+        } else {
+            1.0
+        };
         let stiffness = self.qp.matrix.norm_inf().max(f64::MIN_POSITIVE);
         Scales {
             size,
@@ -123,7 +133,10 @@ impl<'a> Problem<'a> {
     fn solve_scaled(&self, settings: &Settings, scales: Scales, answer: &mut QpSolution) {
         let Scales { size, energy } = scales;
         let mut matrix = self.matrix.clone();
-        matrix.nzval.iter_mut().for_each(|k| *k *= size * size / energy);
+        matrix
+            .nzval
+            .iter_mut()
+            .for_each(|k| *k *= size * size / energy);
         let mut load = self.numbering.gather(&self.qp.load);
         load.iter_mut().for_each(|f| *f *= -size / energy);
         let upper: Vec<f64> = self.qp.bounds.iter().map(|b| b.upper / size).collect();

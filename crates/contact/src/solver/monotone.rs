@@ -86,7 +86,11 @@ impl<'a> State<'a> {
             };
             // A multiplier of rounding size releases nothing.
             if step != 0.0 && self.residual[i].abs() > self.tolerance {
-                self.x[i] = if step == room { self.qp.upper[i] } else { self.x[i] + step };
+                self.x[i] = if step == room {
+                    self.qp.upper[i]
+                } else {
+                    self.x[i] + step
+                };
                 let column = self.qp.column(i);
                 let residual = self.residual.iter_mut().zip(column);
                 residual.for_each(|(r, s)| *r -= s * step);
@@ -130,7 +134,12 @@ impl<'a> State<'a> {
 
     /// Whether a proximal step is in the main a motion without stiffness: `dᵀSd ≪ rᵀd`.
     fn is_drift(&self, direction: &[f64]) -> bool {
-        let gain: f64 = self.residual.iter().zip(direction).map(|(r, d)| r * d).sum();
+        let gain: f64 = self
+            .residual
+            .iter()
+            .zip(direction)
+            .map(|(r, d)| r * d)
+            .sum();
         self.qp.curvature(direction) < 1e-3 * gain
     }
 
@@ -160,7 +169,11 @@ impl<'a> State<'a> {
             "the energy rose by {}",
             -gain
         );
-        self.x = if projected_gain > gain { projected } else { straight };
+        self.x = if projected_gain > gain {
+            projected
+        } else {
+            straight
+        };
         for i in 0..self.qp.len() {
             active[i] |= direction[i] > 0.0 && self.x[i] >= self.qp.upper[i];
         }
@@ -178,17 +191,6 @@ impl<'a> State<'a> {
         let step: Vec<f64> = target.iter().zip(&self.x).map(|(a, b)| a - b).collect();
         let work: f64 = self.residual.iter().zip(&step).map(|(r, s)| r * s).sum();
         work - 0.5 * self.qp.curvature(&step)
-    }
-
-    /// Bounds that the last step ran into become active, exactly.
-    fn catch_hit_bounds(&mut self, direction: &[f64], active: &mut [bool]) {
-        for i in 0..self.qp.len() {
-            let rounding = 1e-15 * (self.x[i].abs() + self.qp.upper[i].abs());
-            if direction[i] > 0.0 && self.qp.upper[i] - self.x[i] <= rounding {
-                self.x[i] = self.qp.upper[i];
-                active[i] = true;
-            }
-        }
     }
 
     /// A safeguard: fewer than ten steps are usual.

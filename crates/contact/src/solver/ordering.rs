@@ -66,11 +66,7 @@ fn node_graph(matrix: &BlockMatrix, nodes: &[usize]) -> (Vec<usize>, Vec<usize>)
     let mut rows = Vec::with_capacity(matrix.columns.len());
     for &i in nodes {
         let neighbours = matrix.row(i).map(|(j, _)| number[j]);
-        rows.extend(
-            neighbours
-                .filter(|&k| k != REMOVED)
-                .map(|k| k as usize),
-        );
+        rows.extend(neighbours.filter(|&k| k != REMOVED).map(|k| k as usize));
         column_start.push(rows.len());
     }
     (column_start, rows)
