@@ -43,9 +43,10 @@ pub fn monotone(qp: &DenseQp, start: &[f64], history: &mut Vec<usize>) -> Monoto
                 face,
                 steps: state.steps,
             };
-            return match optimal {
-                true => Monotone::Solved(solution),
-                false => Monotone::StepLimit(solution),
+            return if optimal {
+                Monotone::Solved(solution)
+            } else {
+                Monotone::StepLimit(solution)
             };
         }
     }

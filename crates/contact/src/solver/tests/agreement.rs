@@ -134,3 +134,31 @@ fn an_indefinite_matrix_is_refused() {
     assert_eq!(condensed(&qp).status, Status::NotPositiveDefinite);
     assert_eq!(interior(&qp).status, Status::NotPositiveDefinite);
 }
+
+#[test]
+fn data_that_are_not_finite_are_never_solved() {
+    for method in [Method::Condensed, Method::InteriorPoint] {
+        let settings = Settings {
+            method,
+            ..Settings::default()
+        };
+        let mut qp = Random(15).problem(12, 3);
+        assert!(solve(&qp, &settings).status.is_solved());
+        qp.load[4] = f64::NAN;
+        assert!(!solve(&qp, &settings).status.is_solved());
+        let mut qp = Random(15).problem(12, 3);
+        qp.bounds[1].upper = f64::INFINITY;
+        assert!(!solve(&qp, &settings).status.is_solved());
+    }
+}
+
+#[test]
+fn the_same_input_gives_the_same_bytes() {
+    let qp = Random(16).problem(60, 8);
+    for method in [condensed, interior] {
+        let (first, second) = (method(&qp), method(&qp));
+        assert_eq!(first.x, second.x);
+        assert_eq!(first.multipliers, second.multipliers);
+        assert_eq!(first.history, second.history);
+    }
+}

@@ -4,7 +4,7 @@ use super::agreement::{assert_optimal, condensed, interior};
 use super::examples::{dense, distance, enumerate, problem};
 use super::plate::plate;
 use crate::qp::{Bound, BoundQp, residual};
-use crate::solver::Status;
+use crate::solver::{Method, Settings, Status, solve};
 use nalgebra::DMatrix;
 
 /// A chain of `n` springs of stiffness 1 with no support.
@@ -76,7 +76,7 @@ fn a_bar_on_one_stop_tips_to_the_next() {
         "{:?}",
         solution.status
     );
-    assert_eq!(solution.history, [3, 2]);
+    assert_eq!(solution.history, [3, 1, 2]);
     assert!(distance(&solution.x, &[-0.6, 0.0, 1.0, 0.0]) < 1e-13);
     assert!(distance(&solution.multipliers, &[0.0, 1.0, 0.2]) < 1e-13);
     assert!(distance(&interior(&qp).x, &solution.x) < 1e-11);
@@ -184,6 +184,14 @@ fn a_two_sided_motion_is_fixed_by_its_condition() {
     let second = interior(&qp);
     assert_optimal(&qp, &second);
     assert!(distance(&second.x, &solution.x) < 1e-10);
+    // the raw interior point obeys the condition too
+    let settings = Settings {
+        method: Method::InteriorPoint,
+        crossover: false,
+        ..Settings::default()
+    };
+    let raw = solve(&qp, &settings);
+    assert!(distance(&raw.x, &solution.x) < 1e-6 && raw.x != second.x);
     // the bordered system [K_II Pᵀ; P 0] on the same active set
     let truth = bordered(&qp, &solution.multipliers);
     assert!(distance(&truth, &solution.x) < 1e-11);
