@@ -21,9 +21,9 @@ use clarabel::solver::{
     DefaultSettings, DefaultSolver, IPSolver, NonnegativeConeT, SolverStatus, SupportedConeT,
 };
 
-/// Solves with changed scales after the first.
+/// Further solves with corrected scales, at most.
 const RESCALINGS: usize = 2;
-/// The measured energy over `β` may lie between these and the measured size over `α` above the first.
+/// The scales stand if the energy and the size found, over `β` and `α`, lie between these.
 const FAIR_SCALE: [f64; 2] = [0.1, 1e3];
 
 /// Solves the problem by interior point, and polishes the active set found if the settings ask for it.
