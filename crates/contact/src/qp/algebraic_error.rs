@@ -9,12 +9,15 @@
 //! ⇒  ‖e‖²_K ≤ ‖r‖²_{K⁻¹} + 2 Σ λ⁺ (g − x⁻),      ‖x − x*‖_K ≤ ‖e‖_K + ‖x − x⁻‖_K
 //! ```
 //!
-//! Tension has gone into `r`, penetration into `x − x⁻`. Of the three terms the second and the third are computed
-//! exactly, so this part is a bound. The first is an *estimate*, from below: `‖r‖²_{K⁻¹}` by a few steps of conjugate
-//! gradients with block-Jacobi preconditioning, whose energy grows towards it. The step limit makes it sharp for rough
-//! residuals (rounding, a stopped iteration), less so for smooth ones on fine meshes.
+//! which holds for every feasible `x⁻` and every `λ⁺ ≥ 0`. Tension has gone into `r`, penetration into `x − x⁻`. Where
+//! the products `λ⁺ (g − x⁻)` dominate, a second pair is tried that has none: `x⁻ = g` where the multiplier outweighs the
+//! slack times its stiffness, `λ⁺ = 0` elsewhere. The smaller of the two counts.
+//!
+//! The products and `x − x⁻` are computed exactly: this part is a bound. `‖r‖²_{K⁻¹}` is an *estimate*, from below, by a
+//! few steps of conjugate gradients with block-Jacobi preconditioning, whose energy grows towards it. The step limit
+//! makes it sharp for rough residuals (rounding, a stopped iteration), less so for smooth ones on fine meshes.
 
-use super::{BoundQp, residual};
+use super::{Bound, BoundQp, residual};
 use crate::sparse::BlockMatrix;
 
 /// Steps of conjugate gradients.
@@ -26,23 +29,79 @@ const NO_STIFFNESS: f64 = 1e-12;
 
 /// An estimate of `‖x − x*‖_K`. Two-sided kernel motions cost nothing in this norm.
 pub fn algebraic_error(qp: &BoundQp, x: &[f64], multipliers: &[f64]) -> f64 {
-    let mut feasible = x.to_vec();
-    let mut gap_work = 0.0;
-    let mut pressure = vec![0.0; x.len()];
-    for (bound, &multiplier) in qp.bounds.iter().zip(multipliers) {
-        let (i, upper) = (bound.dof as usize, bound.upper);
-        if feasible[i] > upper {
-            feasible[i] = upper;
-        }
-        pressure[i] = if multiplier < 0.0 { 0.0 } else { multiplier };
-        gap_work += pressure[i] * (upper - feasible[i]);
+    let projected = Pair::projected(qp, x, multipliers);
+    let (residual_part, gap_work) = projected.square(qp);
+    let first = (residual_part + gap_work).sqrt() + projected.distance(qp, x);
+    if gap_work <= residual_part || first.is_nan() {
+        return first;
     }
-    let mut rest = residual(qp, &feasible);
-    rest.iter_mut().zip(&pressure).for_each(|(r, p)| *r -= p);
-    let overlap: Vec<f64> = x.iter().zip(&feasible).map(|(a, b)| a - b).collect();
-    let residual_part = inverse_energy(&qp.matrix, &rest);
-    // √(‖r‖²_{K⁻¹} + 2 Σ λ⁺ (g − x⁻)) + ‖x − x⁻‖_K
-    (residual_part + 2.0 * gap_work).sqrt() + energy_norm(&qp.matrix, &overlap)
+    let complementary = Pair::complementary(qp, x, multipliers);
+    let (residual_part, gap_work) = complementary.square(qp);
+    first.min((residual_part + gap_work).sqrt() + complementary.distance(qp, x))
+}
+
+/// A feasible point and non-negative multipliers.
+struct Pair {
+    /// `x⁻`.
+    point: Vec<f64>,
+    /// `λ⁺` on the bounded components, zero elsewhere.
+    pressure: Vec<f64>,
+}
+
+impl Pair {
+    /// `min(x, g)` and `max(λ, 0)`.
+    fn projected(qp: &BoundQp, x: &[f64], multipliers: &[f64]) -> Self {
+        let mut pair = Self {
+            point: x.to_vec(),
+            pressure: vec![0.0; x.len()],
+        };
+        for (bound, &multiplier) in qp.bounds.iter().zip(multipliers) {
+            let i = bound.dof as usize;
+            if x[i] > bound.upper {
+                pair.point[i] = bound.upper;
+            }
+            pair.pressure[i] = if multiplier < 0.0 { 0.0 } else { multiplier };
+        }
+        pair
+    }
+
+    /// The projected pair with the smaller factor of each product `λ (g − x)` set to zero.
+    fn complementary(qp: &BoundQp, x: &[f64], multipliers: &[f64]) -> Self {
+        let mut pair = Self::projected(qp, x, multipliers);
+        for bound in &qp.bounds {
+            let i = bound.dof as usize;
+            let stiffness = qp.matrix.diagonal_block(i / 2)[3 * (i % 2)];
+            if pair.pressure[i] > stiffness * (bound.upper - pair.point[i]) {
+                pair.point[i] = bound.upper;
+            } else {
+                pair.pressure[i] = 0.0;
+            }
+        }
+        pair
+    }
+
+    /// `‖r‖²_{K⁻¹}` and `2 Σ λ⁺ (g − x⁻)`.
+    fn square(&self, qp: &BoundQp) -> (f64, f64) {
+        let mut rest = residual(qp, &self.point);
+        rest.iter_mut()
+            .zip(&self.pressure)
+            .for_each(|(r, p)| *r -= p);
+        let slack = |bound: &Bound| bound.upper - self.point[bound.dof as usize];
+        let products = qp
+            .bounds
+            .iter()
+            .map(|b| self.pressure[b.dof as usize] * slack(b));
+        (
+            inverse_energy(&qp.matrix, &rest),
+            2.0 * products.sum::<f64>(),
+        )
+    }
+
+    /// `‖x − x⁻‖_K`.
+    fn distance(&self, qp: &BoundQp, x: &[f64]) -> f64 {
+        let change: Vec<f64> = x.iter().zip(&self.point).map(|(a, b)| a - b).collect();
+        energy_norm(&qp.matrix, &change)
+    }
 }
 
 /// `√(vᵀKv)`.
@@ -77,7 +136,9 @@ fn inverse_energy(matrix: &BlockMatrix, residual: &[f64]) -> f64 {
         if growth <= SETTLED * energy || energy.is_nan() {
             break;
         }
-        p.iter_mut().zip(&z).for_each(|(p, z)| *p = z + next / rz * *p);
+        p.iter_mut()
+            .zip(&z)
+            .for_each(|(p, z)| *p = z + next / rz * *p);
         rz = next;
     }
     energy

@@ -37,10 +37,16 @@ pub fn monotone(qp: &DenseQp, start: &[f64], history: &mut Vec<usize>) -> Monoto
         history.push(active.iter().filter(|a| **a).count());
         let optimal = state.is_optimal(&active);
         if optimal || state.out_of_steps() {
-            let solution = DenseSolution { x: state.x, active, face, steps: state.steps };
-            return match optimal {
-                true => Monotone::Solved(solution),
-                false => Monotone::StepLimit(solution),
+            let solution = DenseSolution {
+                x: state.x,
+                active,
+                face,
+                steps: state.steps,
+            };
+            return if optimal {
+                Monotone::Solved(solution)
+            } else {
+                Monotone::StepLimit(solution)
             };
         }
     }
@@ -75,7 +81,11 @@ impl<'a> State<'a> {
             };
             // A multiplier of rounding size releases nothing.
             if step != 0.0 && self.residual[i].abs() > self.tolerance {
-                self.x[i] = if step == room { self.qp.upper[i] } else { self.x[i] + step };
+                self.x[i] = if step == room {
+                    self.qp.upper[i]
+                } else {
+                    self.x[i] + step
+                };
                 let column = self.qp.column(i);
                 let residual = self.residual.iter_mut().zip(column);
                 residual.for_each(|(r, s)| *r -= s * step);
@@ -117,7 +127,12 @@ impl<'a> State<'a> {
 
     /// Whether a proximal step is in the main a motion without stiffness: `dᵀSd ≪ rᵀd`.
     fn is_drift(&self, direction: &[f64]) -> bool {
-        let gain: f64 = self.residual.iter().zip(direction).map(|(r, d)| r * d).sum();
+        let gain: f64 = self
+            .residual
+            .iter()
+            .zip(direction)
+            .map(|(r, d)| r * d)
+            .sum();
         self.qp.curvature(direction) < 1e-3 * gain
     }
 
@@ -142,8 +157,16 @@ impl<'a> State<'a> {
         }
         let projected = self.along(direction, length.max(1.0));
         let (gain, projected_gain) = (self.gain(&straight), self.gain(&projected));
-        debug_assert!(gain >= -self.tolerance * distance(&straight, &self.x), "the energy rose by {}", -gain);
-        self.x = if projected_gain > gain { projected } else { straight };
+        debug_assert!(
+            gain >= -self.tolerance * distance(&straight, &self.x),
+            "the energy rose by {}",
+            -gain
+        );
+        self.x = if projected_gain > gain {
+            projected
+        } else {
+            straight
+        };
         for i in 0..self.qp.len() {
             active[i] |= direction[i] > 0.0 && self.x[i] >= self.qp.upper[i];
         }
@@ -161,17 +184,6 @@ impl<'a> State<'a> {
         let step: Vec<f64> = target.iter().zip(&self.x).map(|(a, b)| a - b).collect();
         let work: f64 = self.residual.iter().zip(&step).map(|(r, s)| r * s).sum();
         work - 0.5 * self.qp.curvature(&step)
-    }
-
-    /// Bounds that the last step ran into become active, exactly.
-    fn catch_hit_bounds(&mut self, direction: &[f64], active: &mut [bool]) {
-        for i in 0..self.qp.len() {
-            let rounding = 1e-15 * (self.x[i].abs() + self.qp.upper[i].abs());
-            if direction[i] > 0.0 && self.qp.upper[i] - self.x[i] <= rounding {
-                self.x[i] = self.qp.upper[i];
-                active[i] = true;
-            }
-        }
     }
 
     /// A safeguard: fewer than ten steps are usual.
