@@ -115,7 +115,11 @@ fn deviations(exact: &dyn Exact, body: Body, at: Point, step: f64, jet: &Jet2) -
 
 /// The larger magnitude; a NaN stays.
 fn worse(a: f64, b: f64) -> f64 {
-    if a.is_nan() || b.abs() <= a { a } else { b.abs() }
+    if a.is_nan() || b.abs() <= a {
+        a
+    } else {
+        b.abs()
+    }
 }
 
 fn largest<'a>(start: f64, values: impl Iterator<Item = &'a f64>) -> f64 {

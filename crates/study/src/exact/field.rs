@@ -80,6 +80,8 @@ fn row(v: Matrix1x2<f64>) -> [f64; 2] {
     [v[0], v[1]]
 }
 
+/// The two mixed derivatives are summed in different orders; their mean makes the result symmetric to the last bit.
 fn square(h: Matrix2<f64>) -> [[f64; 2]; 2] {
-    [[h[(0, 0)], h[(0, 1)]], [h[(1, 0)], h[(1, 1)]]]
+    let mixed = 0.5 * (h[(0, 1)] + h[(1, 0)]);
+    [[h[(0, 0)], mixed], [mixed, h[(1, 1)]]]
 }

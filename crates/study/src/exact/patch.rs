@@ -46,4 +46,5 @@ impl Field for CornerPatch {
     fn eval<D: Real>(&self, body: Body, x: D, y: D) -> [D; 2] {
         let [e11, e22, e12] = self.strain[body.index()];
         [x * e11 + y * e12, x * e12 + y * e22]
-    }}
+    }
+}

@@ -57,9 +57,7 @@ impl Field for Polynomial {
             trace.p = positive_power(-x + s, self.m) * -PRESSURE;
         }
         let chi = cutoff(y);
-        trace
-            .extended(self.lame[body.index()], y)
-            .map(|u| u * chi)
+        trace.extended(self.lame[body.index()], y).map(|u| u * chi)
     }
 
     fn break_lines(&self) -> Vec<Segment> {

@@ -46,10 +46,10 @@ pub enum Condition {
     Finite,
     /// `n·(u' − u'') ≤ 0`.
     NoPenetration,
-    /// `T_n ≤ 0`.
-    NoTension,
     /// `T'_n = T''_n`.
     Reaction,
+    /// `T_n ≤ 0`, asked of each body.
+    NoTension,
     /// `T_t = 0`.
     NoFriction,
     /// `T_n n·(u' − u'') = 0`.
@@ -156,10 +156,10 @@ pub fn verify(
         (Condition::NoPenetration, result.displacement, |s| {
             (None, s.jump)
         }),
-        (Condition::NoTension, result.stress, Sample::tension),
         (Condition::Reaction, result.stress, |s| {
             (None, (s.normal[0] - s.normal[1]).abs())
         }),
+        (Condition::NoTension, result.stress, Sample::tension),
         (Condition::NoFriction, result.stress, Sample::friction),
         (
             Condition::Complementarity,
