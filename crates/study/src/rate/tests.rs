@@ -210,6 +210,6 @@ fn rounding_is_measured_by_the_solution() {
         .for_each(|l| l.solution_energy = Some(1.0));
     assert!(matches!(
         fit_levels(&levels, "energy"),
-        Err(NoFit::Rounding { level: 4, .. })
+        Err(NoFit::Rounding { level: 1, .. })
     ));
 }

@@ -51,7 +51,7 @@ fn of_level(b: &BaselineLevel, l: &Level) -> Vec<String> {
             l.level, l.mesh_hash, b.mesh_hash
         ));
     }
-    // `!(≤)`: NaN is a change
+    // NaN is a change
     let moved = (l.energy - b.energy).abs();
     if moved.is_nan() || moved > ENERGY * b.energy.abs() {
         found.push(format!(
@@ -84,7 +84,7 @@ fn of_level(b: &BaselineLevel, l: &Level) -> Vec<String> {
 fn same_error(now: Option<f64>, was: Option<f64>, floor: f64) -> bool {
     match (now, was) {
         (None, None) => true,
-        (Some(now), Some(was)) if was == 0.0 => now.abs() <= floor,
+        (Some(now), Some(0.0)) => now.abs() <= floor,
         (Some(now), Some(was)) => {
             let unit = 10.0_f64.powi(was.abs().log10().floor() as i32 - 3);
             (now - was).abs() <= (0.5 * unit).max(floor)
@@ -150,7 +150,10 @@ mod tests {
             Baseline::read(&scratch.0, "s"),
             Err(crate::store::StoreError::Content { .. })
         ));
-        assert_eq!(blessed().cases["structured"].scene_hash, "0123456789abcdef");
+        assert_eq!(
+            blessed().cases["structured"].scene_hash.as_deref(),
+            Some("0123456789abcdef")
+        );
         assert_eq!(
             Baseline::from_records(&[], &Default::default(), "0.1.0"),
             None

@@ -47,7 +47,7 @@ pub(super) fn broken_parts<'a>(
     parts
         .into_iter()
         .filter_map(|(part, share)| Some((part, share?)))
-        // `!(≤)`: a NaN share is a broken one
+        // a NaN share compares with nothing and is a broken one
         .filter(move |(_, share)| {
             !rounding && share.partial_cmp(&gates.share).is_none_or(|o| o.is_gt())
         })
