@@ -51,10 +51,7 @@ struct Pair {
 impl Pair {
     /// `min(x, g)` and `max(λ, 0)`.
     fn projected(qp: &BoundQp, x: &[f64], multipliers: &[f64]) -> Self {
-        let mut pair = Self {
-            point: x.to_vec(),
-            pressure: vec![0.0; x.len()],
-        };
+        let mut pair = Self { point: x.to_vec(), pressure: vec![0.0; x.len()] };
         for (bound, &multiplier) in qp.bounds.iter().zip(multipliers) {
             let i = bound.dof as usize;
             if x[i] > bound.upper {
@@ -83,18 +80,10 @@ impl Pair {
     /// `‖r‖²_{K⁻¹}` and `2 Σ λ⁺ (g − x⁻)`.
     fn square(&self, qp: &BoundQp) -> (f64, f64) {
         let mut rest = residual(qp, &self.point);
-        rest.iter_mut()
-            .zip(&self.pressure)
-            .for_each(|(r, p)| *r -= p);
+        rest.iter_mut().zip(&self.pressure).for_each(|(r, p)| *r -= p);
         let slack = |bound: &Bound| bound.upper - self.point[bound.dof as usize];
-        let products = qp
-            .bounds
-            .iter()
-            .map(|b| self.pressure[b.dof as usize] * slack(b));
-        (
-            inverse_energy(&qp.matrix, &rest),
-            2.0 * products.sum::<f64>(),
-        )
+        let products = qp.bounds.iter().map(|b| self.pressure[b.dof as usize] * slack(b));
+        (inverse_energy(&qp.matrix, &rest), 2.0 * products.sum::<f64>())
     }
 
     /// `‖x − x⁻‖_K`.
@@ -136,9 +125,7 @@ fn inverse_energy(matrix: &BlockMatrix, residual: &[f64]) -> f64 {
         if growth <= SETTLED * energy || energy.is_nan() {
             break;
         }
-        p.iter_mut()
-            .zip(&z)
-            .for_each(|(p, z)| *p = z + next / rz * *p);
+        p.iter_mut().zip(&z).for_each(|(p, z)| *p = z + next / rz * *p);
         rz = next;
     }
     energy

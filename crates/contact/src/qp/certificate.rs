@@ -34,17 +34,8 @@ pub struct Certificate {
 }
 
 /// The certificate of `x` (length of the load) and `multipliers` (one per bound).
-pub fn certify(
-    qp: &BoundQp,
-    x: &[f64],
-    multipliers: &[f64],
-    scales: &CertificateScales,
-) -> Certificate {
-    let slack: Vec<f64> = qp
-        .bounds
-        .iter()
-        .map(|b| b.upper - x[b.dof as usize])
-        .collect();
+pub fn certify(qp: &BoundQp, x: &[f64], multipliers: &[f64], scales: &CertificateScales) -> Certificate {
+    let slack: Vec<f64> = qp.bounds.iter().map(|b| b.upper - x[b.dof as usize]).collect();
     let max_multiplier = largest(multipliers);
     let small_slack = WEAK * scales.displacement;
     let presses = |multiplier: f64| multiplier > WEAK * max_multiplier;
@@ -57,9 +48,7 @@ pub fn certify(
         complementarity: ratio(products.sum(), scales.energy),
         weakly_active: pairs().filter(|&(multiplier, slack)| !presses(multiplier) && slack < small_slack).count(),
         max_multiplier,
-        active: pairs()
-            .filter(|&(multiplier, _)| presses(multiplier))
-            .count(),
+        active: pairs().filter(|&(multiplier, _)| presses(multiplier)).count(),
     }
 }
 
@@ -81,9 +70,5 @@ fn largest_deficit(v: &[f64]) -> f64 {
 
 /// 0 where both vanish.
 fn ratio(numerator: f64, denominator: f64) -> f64 {
-    if numerator == 0.0 {
-        0.0
-    } else {
-        numerator / denominator
-    }
+    if numerator == 0.0 { 0.0 } else { numerator / denominator }
 }

@@ -42,11 +42,7 @@ fn identified(qp: &BoundQp, answer: &QpSolution) -> Vec<bool> {
         let slack = bound.upper - answer.x[bound.dof as usize];
         *multiplier > stiffness(qp, bound.dof as usize) * slack
     };
-    qp.bounds
-        .iter()
-        .zip(&answer.multipliers)
-        .map(presses)
-        .collect()
+    qp.bounds.iter().zip(&answer.multipliers).map(presses).collect()
 }
 
 /// Drops the active bounds that pull, adds the violated ones; rounding changes nothing.

@@ -42,10 +42,7 @@ impl DenseQp {
         for (j, &xj) in x.iter().enumerate() {
             if xj != 0.0 {
                 let column = self.column(j);
-                residual
-                    .iter_mut()
-                    .zip(column)
-                    .for_each(|(r, s)| *r -= s * xj);
+                residual.iter_mut().zip(column).for_each(|(r, s)| *r -= s * xj);
             }
         }
         residual
@@ -57,9 +54,7 @@ impl DenseQp {
         let mut size: Vec<f64> = self.load.iter().map(|b| b.abs()).collect();
         for (j, xj) in x.iter().enumerate() {
             let column = self.column(j);
-            size.iter_mut()
-                .zip(column)
-                .for_each(|(a, s)| *a += (s * xj).abs());
+            size.iter_mut().zip(column).for_each(|(a, s)| *a += (s * xj).abs());
         }
         ROUNDING * size.into_iter().fold(0.0, f64::max)
     }
@@ -134,11 +129,7 @@ fn factor(qp: &DenseQp, free: &[usize], shift: f64) -> Option<Llt<f64>> {
     };
     let matrix = Mat::from_fn(n, n, |a, b| {
         let s = qp.matrix[(free[a], free[b])];
-        if a == b {
-            s + shift * diagonal(free[a])
-        } else {
-            s
-        }
+        if a == b { s + shift * diagonal(free[a]) } else { s }
     });
     let factor = matrix.llt(Side::Lower).ok()?;
     let regular = |a: usize| factor.L()[(a, a)].powi(2) > PIVOT_TOLERANCE * diagonal(free[a]);

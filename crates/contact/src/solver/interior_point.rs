@@ -92,15 +92,8 @@ impl<'a> Problem<'a> {
     fn first_scales(&self) -> Scales {
         let load = &self.qp.load;
         let diagonal = |i: usize| self.qp.matrix.diagonal_block(i / 2)[3 * (i % 2)];
-        let direction: Vec<f64> = (0..load.len())
-            .map(|i| {
-                if diagonal(i) > 0.0 {
-                    load[i] / diagonal(i)
-                } else {
-                    0.0
-                }
-            })
-            .collect();
+        let direction: Vec<f64> =
+            (0..load.len()).map(|i| if diagonal(i) > 0.0 { load[i] / diagonal(i) } else { 0.0 }).collect();
         let work: f64 = load.iter().zip(&direction).map(|(f, d)| f * d).sum();
         // ½ dᵀKd
         let stiffness = energy(self.qp, &direction) + work;
@@ -109,11 +102,7 @@ impl<'a> Problem<'a> {
             return Scales { size: length * largest(&direction), energy: 0.5 * length * work };
         }
         let bounds: Vec<f64> = self.qp.bounds.iter().map(|b| b.upper).collect();
-        let size = if largest(&bounds) > 0.0 {
-            largest(&bounds)
-        } else {
-            1.0
-        };
+        let size = if largest(&bounds) > 0.0 { largest(&bounds) } else { 1.0 };
         let stiffness = self.qp.matrix.norm_inf().max(f64::MIN_POSITIVE);
         Scales { size, energy: stiffness * size * size }
     }
@@ -121,10 +110,7 @@ impl<'a> Problem<'a> {
     fn solve_scaled(&self, settings: &Settings, scales: Scales, answer: &mut QpSolution) {
         let Scales { size, energy } = scales;
         let mut matrix = self.matrix.clone();
-        matrix
-            .nzval
-            .iter_mut()
-            .for_each(|k| *k *= size * size / energy);
+        matrix.nzval.iter_mut().for_each(|k| *k *= size * size / energy);
         let mut load = self.numbering.gather(&self.qp.load);
         load.iter_mut().for_each(|f| *f *= -size / energy);
         let upper: Vec<f64> = self.qp.bounds.iter().map(|b| b.upper / size).collect();

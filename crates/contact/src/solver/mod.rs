@@ -34,9 +34,7 @@ pub fn solve(qp: &BoundQp, settings: &Settings) -> QpSolution {
     };
     let mut entries = answer.x.iter().chain(&answer.multipliers);
     if answer.status.is_solved() && !entries.all(|v| v.is_finite()) {
-        answer.status = Status::IterationLimit {
-            steps: answer.iterations,
-        };
+        answer.status = Status::IterationLimit { steps: answer.iterations };
     }
     answer
 }

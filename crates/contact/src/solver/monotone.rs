@@ -37,17 +37,8 @@ pub fn monotone(qp: &DenseQp, start: &[f64], history: &mut Vec<usize>) -> Monoto
         history.push(active.iter().filter(|a| **a).count());
         let optimal = state.is_optimal(&active);
         if optimal || state.out_of_steps() {
-            let solution = DenseSolution {
-                x: state.x,
-                active,
-                face,
-                steps: state.steps,
-            };
-            return if optimal {
-                Monotone::Solved(solution)
-            } else {
-                Monotone::StepLimit(solution)
-            };
+            let solution = DenseSolution { x: state.x, active, face, steps: state.steps };
+            return if optimal { Monotone::Solved(solution) } else { Monotone::StepLimit(solution) };
         }
     }
 }
@@ -81,11 +72,7 @@ impl<'a> State<'a> {
             };
             // A multiplier of rounding size releases nothing.
             if step != 0.0 && self.residual[i].abs() > self.tolerance {
-                self.x[i] = if step == room {
-                    self.qp.upper[i]
-                } else {
-                    self.x[i] + step
-                };
+                self.x[i] = if step == room { self.qp.upper[i] } else { self.x[i] + step };
                 let column = self.qp.column(i);
                 let residual = self.residual.iter_mut().zip(column);
                 residual.for_each(|(r, s)| *r -= s * step);
@@ -127,12 +114,7 @@ impl<'a> State<'a> {
 
     /// Whether a proximal step is in the main a motion without stiffness: `dᵀSd ≪ rᵀd`.
     fn is_drift(&self, direction: &[f64]) -> bool {
-        let gain: f64 = self
-            .residual
-            .iter()
-            .zip(direction)
-            .map(|(r, d)| r * d)
-            .sum();
+        let gain: f64 = self.residual.iter().zip(direction).map(|(r, d)| r * d).sum();
         self.qp.curvature(direction) < 1e-3 * gain
     }
 
@@ -157,16 +139,8 @@ impl<'a> State<'a> {
         }
         let projected = self.along(direction, length.max(1.0));
         let (gain, projected_gain) = (self.gain(&straight), self.gain(&projected));
-        debug_assert!(
-            gain >= -self.tolerance * distance(&straight, &self.x),
-            "the energy rose by {}",
-            -gain
-        );
-        self.x = if projected_gain > gain {
-            projected
-        } else {
-            straight
-        };
+        debug_assert!(gain >= -self.tolerance * distance(&straight, &self.x), "the energy rose by {}", -gain);
+        self.x = if projected_gain > gain { projected } else { straight };
         for i in 0..self.qp.len() {
             active[i] |= direction[i] > 0.0 && self.x[i] >= self.qp.upper[i];
         }

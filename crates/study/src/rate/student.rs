@@ -30,7 +30,7 @@ pub fn quantile(p: f64, df: usize) -> f64 {
 /// `P(|T| ≤ √df tan θ)`.
 fn central(theta: f64, df: usize) -> f64 {
     let (sin, cos) = theta.sin_cos();
-    if df % 2 == 0 {
+    if df.is_multiple_of(2) {
         // sin θ {1 + 1/2 cos² θ + (1·3)/(2·4) cos⁴ θ + … + cos^{df−2} θ}
         sin * series(1.0, cos * cos, 1, df / 2)
     } else {

@@ -23,8 +23,8 @@ pub struct Baseline {
 /// Stored numbers of a case.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct BaselineCase {
-    /// Hash of the resolved scene.
-    pub scene_hash: String,
+    /// Hash of the resolved scene, where the writer knew it.
+    pub scene_hash: Option<String>,
     /// Profile of the run.
     pub profile: String,
     /// From the coarsest to the finest.
@@ -63,7 +63,7 @@ impl Baseline {
         version: &str,
     ) -> Option<Self> {
         let case = |r: &StudyRecord| {
-            let scene_hash = scene_hashes.get(&r.case).cloned().unwrap_or_default();
+            let scene_hash = scene_hashes.get(&r.case).cloned();
             (r.case.clone(), BaselineCase::of(r, scene_hash))
         };
         Some(Self {
@@ -102,7 +102,7 @@ impl Baseline {
 }
 
 impl BaselineCase {
-    fn of(record: &StudyRecord, scene_hash: String) -> Self {
+    fn of(record: &StudyRecord, scene_hash: Option<String>) -> Self {
         Self {
             scene_hash,
             profile: record.profile.clone(),

@@ -41,7 +41,7 @@ fn of_level(b: &BaselineLevel, l: &Level) -> Vec<String> {
     if b.mesh_hash != l.mesh_hash {
         found.push(format!("level {}: mesh {}, was {}", l.level, l.mesh_hash, b.mesh_hash));
     }
-    // `!(≤)`: NaN is a change
+    // NaN is a change
     let moved = (l.energy - b.energy).abs();
     if moved.is_nan() || moved > ENERGY * b.energy.abs() {
         found.push(format!("level {}: energy {:.12e}, was {:.12e}", l.level, l.energy, b.energy));
@@ -61,7 +61,7 @@ fn of_level(b: &BaselineLevel, l: &Level) -> Vec<String> {
 fn same_error(now: Option<f64>, was: Option<f64>, floor: f64) -> bool {
     match (now, was) {
         (None, None) => true,
-        (Some(now), Some(was)) if was == 0.0 => now.abs() <= floor,
+        (Some(now), Some(0.0)) => now.abs() <= floor,
         (Some(now), Some(was)) => {
             let unit = 10.0_f64.powi(was.abs().log10().floor() as i32 - 3);
             (now - was).abs() <= (0.5 * unit).max(floor)
@@ -118,9 +118,18 @@ mod tests {
         assert_eq!(Baseline::read(&scratch.0, "s").unwrap(), Some(blessed()));
         assert_eq!(Baseline::read(&scratch.0, "other").unwrap(), None);
         std::fs::write(&path, "{}").unwrap();
-        assert!(matches!(Baseline::read(&scratch.0, "s"), Err(crate::store::StoreError::Content { .. })));
-        assert_eq!(blessed().cases["structured"].scene_hash, "0123456789abcdef");
-        assert_eq!(Baseline::from_records(&[], &Default::default(), "0.1.0"), None);
+        assert!(matches!(
+            Baseline::read(&scratch.0, "s"),
+            Err(crate::store::StoreError::Content { .. })
+        ));
+        assert_eq!(
+            blessed().cases["structured"].scene_hash.as_deref(),
+            Some("0123456789abcdef")
+        );
+        assert_eq!(
+            Baseline::from_records(&[], &Default::default(), "0.1.0"),
+            None
+        );
     }
 
     #[test]

@@ -62,7 +62,8 @@ fn broken_budget(level: &Level, gates: &Gates) -> Option<String> {
     Some(format!("level {}: {}", level.level, exclude::over_budget(part, share, gates)))
 }
 
-/// `A(e,e)` by quadrature and by energies must agree to twice the shares of quadrature and algebra in its root.
+/// `A(e,e)` by quadrature and by energies must agree to twice the shares of quadrature and algebra in its root. A share
+/// that nobody measured counts as zero.
 fn two_way(level: &Level) -> Option<String> {
     let difference = level.two_way?;
     let budget = level.budget.quadrature.unwrap_or(0.0) + level.budget.algebraic.unwrap_or(0.0);

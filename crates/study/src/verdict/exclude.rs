@@ -40,8 +40,10 @@ pub(super) fn broken_parts<'a>(level: &Level, gates: &'a Gates) -> impl Iterator
     parts
         .into_iter()
         .filter_map(|(part, share)| Some((part, share?)))
-        // `!(≤)`: a NaN share is a broken one
-        .filter(move |(_, share)| !rounding && share.partial_cmp(&gates.share).is_none_or(|o| o.is_gt()))
+        // a NaN share compares with nothing and is a broken one
+        .filter(move |(_, share)| {
+            !rounding && share.partial_cmp(&gates.share).is_none_or(|o| o.is_gt())
+        })
 }
 
 /// Whether the energy error is within [`Gates::exact_tolerance`] of the solution's norm.

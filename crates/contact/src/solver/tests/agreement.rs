@@ -40,18 +40,11 @@ fn solvers_agree_with_enumeration() {
                 assert_optimal(&qp, &solution);
                 assert!(distance(&solution.x, &truth) < 1e-11, "m = {m}, n = {n}");
             }
-            let active = condensed(&qp)
-                .multipliers
-                .iter()
-                .filter(|l| **l > 0.0)
-                .count();
+            let active = condensed(&qp).multipliers.iter().filter(|l| **l > 0.0).count();
             mixed += usize::from(active > 0 && active < m);
         }
     }
-    assert!(
-        mixed >= 5,
-        "too few problems with some bounds active and some not"
-    );
+    assert!(mixed >= 5, "too few problems with some bounds active and some not");
 }
 
 #[test]
@@ -79,12 +72,7 @@ fn units_do_not_matter() {
     // the same problem in pascals and micrometres: K in 1e11, x in 1e-6
     let qp = Random(5).problem(20, 5);
     let mut scaled = qp.clone();
-    scaled
-        .matrix
-        .blocks
-        .iter_mut()
-        .flatten()
-        .for_each(|k| *k *= 1e11);
+    scaled.matrix.blocks.iter_mut().flatten().for_each(|k| *k *= 1e11);
     scaled.load.iter_mut().for_each(|f| *f *= 1e5);
     scaled.bounds.iter_mut().for_each(|b| b.upper *= 1e-6);
     let truth: Vec<f64> = enumerate(&qp).iter().map(|x| 1e-6 * x).collect();
@@ -110,14 +98,9 @@ fn ties_do_not_cycle() {
         let mut qp = random.problem(20, 8);
         qp.bounds.iter_mut().for_each(|b| b.upper = 1e9);
         let free = condensed(&qp).x;
-        qp.bounds
-            .iter_mut()
-            .for_each(|b| b.upper = free[b.dof as usize]);
+        qp.bounds.iter_mut().for_each(|b| b.upper = free[b.dof as usize]);
         let solution = condensed(&qp);
-        assert!(matches!(
-            solution.status,
-            Status::Converged { steps: 1..=3 }
-        ));
+        assert!(matches!(solution.status, Status::Converged { steps: 1..=3 }));
         assert!(distance(&solution.x, &free) < 1e-11);
     }
 }
@@ -135,10 +118,7 @@ fn an_indefinite_matrix_is_refused() {
 #[test]
 fn data_that_are_not_finite_are_never_solved() {
     for method in [Method::Condensed, Method::InteriorPoint] {
-        let settings = Settings {
-            method,
-            ..Settings::default()
-        };
+        let settings = Settings { method, ..Settings::default() };
         let mut qp = Random(15).problem(12, 3);
         assert!(solve(&qp, &settings).status.is_solved());
         qp.load[4] = f64::NAN;

@@ -3,16 +3,11 @@
 use super::agreement::condensed;
 use super::examples::{Random, enumerate};
 use super::plate::plate;
-use crate::qp::{
-    BoundQp, Certificate, CertificateScales, algebraic_error, certify, energy, residual,
-};
+use crate::qp::{BoundQp, Certificate, CertificateScales, algebraic_error, certify, energy, residual};
 use crate::solver::QpSolution;
 
 fn certificate(qp: &BoundQp, solution: &QpSolution) -> Certificate {
-    let scales = CertificateScales {
-        displacement: 1.0,
-        energy: 1.0,
-    };
+    let scales = CertificateScales { displacement: 1.0, energy: 1.0 };
     certify(qp, &solution.x, &solution.multipliers, &scales)
 }
 
@@ -21,16 +16,8 @@ fn solved() -> (BoundQp, QpSolution, usize, usize) {
     let qp = plate(9).qp;
     let solution = condensed(&qp);
     let presses = |l: &f64| *l > 0.0;
-    let active = solution
-        .multipliers
-        .iter()
-        .position(presses)
-        .expect("contact");
-    let open = solution
-        .multipliers
-        .iter()
-        .position(|l| *l == 0.0)
-        .expect("an open gap");
+    let active = solution.multipliers.iter().position(presses).expect("contact");
+    let open = solution.multipliers.iter().position(|l| *l == 0.0).expect("an open gap");
     (qp, solution, active, open)
 }
 
@@ -42,10 +29,7 @@ fn a_solution_has_a_clean_certificate() {
     assert!(c.tension == 0.0 && c.complementarity < 1e-15, "{c:?}");
     let active = solution.multipliers.iter().filter(|l| **l > 0.0).count();
     assert_eq!((c.active, c.weakly_active), (active, 0));
-    assert_eq!(
-        c.max_multiplier,
-        solution.multipliers.iter().copied().fold(0.0, f64::max)
-    );
+    assert_eq!(c.max_multiplier, solution.multipliers.iter().copied().fold(0.0, f64::max));
 }
 
 #[test]
@@ -55,8 +39,7 @@ fn a_perturbed_displacement_shows_in_stationarity() {
     solution.x[free] += 1e-6;
     let c = certificate(&qp, &solution);
     // ‖K e_i‖_∞ 1e-6 over its scale
-    let scale =
-        qp.matrix.norm_inf() * crate::qp::largest(&solution.x) + crate::qp::largest(&qp.load);
+    let scale = qp.matrix.norm_inf() * crate::qp::largest(&solution.x) + crate::qp::largest(&qp.load);
     let expected = 1e-6 * qp.matrix.diagonal_block(40)[0] / scale;
     assert!((c.stationarity / expected - 1.0).abs() < 1e-6, "{c:?}");
     assert!(c.penetration < 1e-15 && c.tension == 0.0 && c.complementarity < 1e-15);
@@ -91,10 +74,7 @@ fn a_force_across_an_open_gap_shows_in_complementarity() {
     qp.load[bound.dof as usize] += 0.02;
     let c = certificate(&qp, &solution);
     let slack = bound.upper - solution.x[bound.dof as usize];
-    assert!(
-        (c.complementarity - 0.02 * slack).abs() < 1e-14 && slack > 1e-3,
-        "{c:?}"
-    );
+    assert!((c.complementarity - 0.02 * slack).abs() < 1e-14 && slack > 1e-3, "{c:?}");
     assert!(c.stationarity < 1e-14 && c.penetration < 1e-15 && c.tension == 0.0);
 }
 
@@ -118,15 +98,9 @@ fn nothing_and_nan_are_told_apart() {
     solution.x.fill(0.0);
     solution.multipliers.fill(0.0);
     qp.load.fill(0.0);
-    let scales = CertificateScales {
-        displacement: 0.0,
-        energy: 0.0,
-    };
+    let scales = CertificateScales { displacement: 0.0, energy: 0.0 };
     let c = certify(&qp, &solution.x, &solution.multipliers, &scales);
-    assert_eq!(
-        [c.stationarity, c.penetration, c.tension, c.complementarity],
-        [0.0; 4]
-    );
+    assert_eq!([c.stationarity, c.penetration, c.tension, c.complementarity], [0.0; 4]);
 }
 
 #[test]
@@ -136,21 +110,14 @@ fn energy_and_residual_are_consistent() {
     let moved = |t: f64| -> Vec<f64> { x.iter().zip(&step).map(|(x, s)| x + t * s).collect() };
     // a quadratic: central differences are exact
     let slope = (energy(&qp, &moved(1.0)) - energy(&qp, &moved(-1.0))) / 2.0;
-    let work: f64 = residual(&qp, &x)
-        .iter()
-        .zip(&step)
-        .map(|(r, s)| r * s)
-        .sum();
+    let work: f64 = residual(&qp, &x).iter().zip(&step).map(|(r, s)| r * s).sum();
     assert!((slope + work).abs() < 1e-13);
 }
 
 /// `√(eᵀKe)` of `x` against enumeration.
 fn true_error(qp: &BoundQp, x: &[f64]) -> f64 {
     let e: Vec<f64> = x.iter().zip(enumerate(qp)).map(|(a, b)| a - b).collect();
-    let no_load = BoundQp {
-        load: vec![0.0; e.len()],
-        ..qp.clone()
-    };
+    let no_load = BoundQp { load: vec![0.0; e.len()], ..qp.clone() };
     (2.0 * energy(&no_load, &e)).sqrt()
 }
 
@@ -163,16 +130,8 @@ fn the_algebraic_error_is_of_the_size_of_the_true_one() {
         for size in [1e-1, 1e-4, 1e-8] {
             // any wrong x, with the multipliers that the residual suggests
             let noise = random.vector(24);
-            let x: Vec<f64> = solution
-                .x
-                .iter()
-                .zip(&noise)
-                .map(|(x, d)| x + size * d)
-                .collect();
-            let (error, estimate) = (
-                true_error(&qp, &x),
-                algebraic_error(&qp, &x, &solution.multipliers),
-            );
+            let x: Vec<f64> = solution.x.iter().zip(&noise).map(|(x, d)| x + size * d).collect();
+            let (error, estimate) = (true_error(&qp, &x), algebraic_error(&qp, &x, &solution.multipliers));
             assert!(estimate > 0.99 * error, "m = {m}: {estimate} for {error}");
             assert!(estimate < 10.0 * error, "m = {m}: {estimate} for {error}");
         }

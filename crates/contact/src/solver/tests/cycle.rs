@@ -23,11 +23,7 @@ fn a_cycle_is_seen_and_rescued() {
     let qp = three_bounds_in_a_circle();
     let solution = condensed(&qp);
     assert_optimal(&qp, &solution);
-    assert!(
-        matches!(solution.status, Status::Rescued { cycle: 3, .. }),
-        "{:?}",
-        solution.status
-    );
+    assert!(matches!(solution.status, Status::Rescued { cycle: 3, .. }), "{:?}", solution.status);
     assert_eq!(solution.history[..3], [3, 2, 0]);
     let truth = [0.0, -7.0 / 86.0, -73.0 / 86.0, 0.0];
     assert!(distance(&solution.x, &truth) < 1e-14);
@@ -38,11 +34,7 @@ fn a_cycle_is_seen_and_rescued() {
 #[test]
 fn the_step_limit_is_rescued_too() {
     let qp = three_bounds_in_a_circle();
-    let settings = Settings {
-        method: Method::Condensed,
-        max_steps: 1,
-        ..Settings::default()
-    };
+    let settings = Settings { method: Method::Condensed, max_steps: 1, ..Settings::default() };
     let solution = solve(&qp, &settings);
     assert_optimal(&qp, &solution);
     assert!(matches!(solution.status, Status::Rescued { cycle: 0, .. }));
@@ -54,11 +46,8 @@ fn the_monotone_method_solves_alone() {
     for m in 1..=8 {
         let matrix = random.matrix(m);
         let (load, upper) = (random.vector(m), random.vector(m));
-        let dense = DenseQp {
-            matrix: Mat::from_fn(m, m, |i, j| matrix[(i, j)]),
-            load: load.clone(),
-            upper: upper.clone(),
-        };
+        let dense =
+            DenseQp { matrix: Mat::from_fn(m, m, |i, j| matrix[(i, j)]), load: load.clone(), upper: upper.clone() };
         let bounds: Vec<(usize, f64)> = upper.iter().copied().enumerate().collect();
         let truth = enumerate(&problem(&matrix, &load, &bounds));
         // from a point far outside, from the bounds, from far inside
@@ -82,11 +71,8 @@ fn random_problems_that_cycle_are_solved() {
         let root = DMatrix::from_fn(m, m, |_, _| random.next());
         let matrix = &root * root.transpose();
         let load = random.vector(m);
-        let dense = DenseQp {
-            matrix: Mat::from_fn(m, m, |i, j| matrix[(i, j)]),
-            load: load.clone(),
-            upper: vec![0.0; m],
-        };
+        let dense =
+            DenseQp { matrix: Mat::from_fn(m, m, |i, j| matrix[(i, j)]), load: load.clone(), upper: vec![0.0; m] };
         if let PrimalDual::Stopped { cycle, .. } = primal_dual(&dense, 50, &mut Vec::new()) {
             assert!(cycle > 1);
             cycles += 1;

@@ -118,12 +118,7 @@ fn face_solution(qp: &BoundQp, set: usize) -> Option<Vec<f64>> {
     let mut matrix = dense(qp);
     let full = matrix.clone();
     let mut rhs = DVector::from_column_slice(&qp.load);
-    for (k, bound) in qp
-        .bounds
-        .iter()
-        .enumerate()
-        .filter(|(k, _)| set >> k & 1 == 1)
-    {
+    for (k, bound) in qp.bounds.iter().enumerate().filter(|(k, _)| set >> k & 1 == 1) {
         let i = bound.dof as usize;
         matrix.row_mut(i).fill(0.0);
         matrix[(i, i)] = 1.0;
@@ -132,9 +127,7 @@ fn face_solution(qp: &BoundQp, set: usize) -> Option<Vec<f64>> {
     let x = matrix.full_piv_lu().solve(&rhs)?;
     let reaction = DVector::from_column_slice(&qp.load) - full * &x;
     // elimination of a singular matrix may end with noise: look at the equations that it should have solved
-    let fixed = |i: usize| {
-        (0..qp.bounds.len()).any(|k| set >> k & 1 == 1 && qp.bounds[k].dof as usize == i)
-    };
+    let fixed = |i: usize| (0..qp.bounds.len()).any(|k| set >> k & 1 == 1 && qp.bounds[k].dof as usize == i);
     if (0..x.len()).any(|i| !fixed(i) && reaction[i].abs() > 1e-8) {
         return None;
     }

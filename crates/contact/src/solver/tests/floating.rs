@@ -64,18 +64,10 @@ fn a_bar_on_one_stop_tips_to_the_next() {
     // A bar of three masses that resists bending only, κ = x₁ − 2x₂ + x₃. The middle stop stands out, so the second set
     // is {2}: it leaves the rotation free, and only the bound that this rotation runs into ends it.
     let bend = DMatrix::from_row_slice(3, 1, &[1.0, -2.0, 1.0]);
-    let qp = problem(
-        &(&bend * bend.transpose()),
-        &[0.4, 0.2, 0.6],
-        &[(0, 1.0), (1, 0.0), (2, 1.0)],
-    );
+    let qp = problem(&(&bend * bend.transpose()), &[0.4, 0.2, 0.6], &[(0, 1.0), (1, 0.0), (2, 1.0)]);
     let solution = condensed(&qp);
     assert_optimal(&qp, &solution);
-    assert!(
-        matches!(solution.status, Status::Rescued { cycle: 0, .. }),
-        "{:?}",
-        solution.status
-    );
+    assert!(matches!(solution.status, Status::Rescued { cycle: 0, .. }), "{:?}", solution.status);
     assert_eq!(solution.history, [3, 1, 2]);
     assert!(distance(&solution.x, &[-0.6, 0.0, 1.0, 0.0]) < 1e-13);
     assert!(distance(&solution.multipliers, &[0.0, 1.0, 0.2]) < 1e-13);
@@ -85,16 +77,8 @@ fn a_bar_on_one_stop_tips_to_the_next() {
 /// The free plate over an obstacle below and a wall on its right: translations and the rotation are one-sided.
 fn free_plate(n: usize) -> BoundQp {
     let plate = plate(n);
-    let mut bounds: Vec<Bound> = (0..n)
-        .map(|i| Bound {
-            dof: 2 * i as u32 + 1,
-            upper: 0.01,
-        })
-        .collect();
-    bounds.extend((0..n).map(|j| Bound {
-        dof: 2 * (n * j + n - 1) as u32,
-        upper: 0.02,
-    }));
+    let mut bounds: Vec<Bound> = (0..n).map(|i| Bound { dof: 2 * i as u32 + 1, upper: 0.01 }).collect();
+    bounds.extend((0..n).map(|j| Bound { dof: 2 * (n * j + n - 1) as u32, upper: 0.02 }));
     bounds.sort_by_key(|b| b.dof);
     let mut load = vec![0.0; 2 * n * n];
     for j in 0..n {
@@ -102,12 +86,7 @@ fn free_plate(n: usize) -> BoundQp {
         load[2 * n * j] = 0.1 / n as f64;
         load[2 * (n * (n - 1) + j) + 1] = (0.1 + 0.2 * j as f64 / n as f64) / n as f64;
     }
-    BoundQp {
-        matrix: plate.free,
-        load,
-        bounds,
-        ..Default::default()
-    }
+    BoundQp { matrix: plate.free, load, bounds, ..Default::default() }
 }
 
 #[test]
@@ -122,10 +101,7 @@ fn a_plate_held_by_contact_alone() {
     for component in 0..2 {
         let load: f64 = qp.load.iter().skip(component).step_by(2).sum();
         let pairs = qp.bounds.iter().zip(&solution.multipliers);
-        let held: f64 = pairs
-            .filter(|(b, _)| b.dof as usize % 2 == component)
-            .map(|(_, l)| l)
-            .sum();
+        let held: f64 = pairs.filter(|(b, _)| b.dof as usize % 2 == component).map(|(_, l)| l).sum();
         assert!((load - held).abs() < 1e-13, "{load} {held}");
     }
 }
@@ -163,33 +139,17 @@ fn sliding_plate(n: usize) -> BoundQp {
 #[test]
 fn a_two_sided_motion_is_fixed_by_its_condition() {
     let qp = sliding_plate(9);
-    let k_y = residual(
-        &BoundQp {
-            load: vec![0.0; 162],
-            ..qp.clone()
-        },
-        &qp.kernel[0],
-    );
-    assert!(
-        distance(&k_y, &[0.0; 162]) < 1e-14,
-        "the motion costs energy"
-    );
+    let k_y = residual(&BoundQp { load: vec![0.0; 162], ..qp.clone() }, &qp.kernel[0]);
+    assert!(distance(&k_y, &[0.0; 162]) < 1e-14, "the motion costs energy");
     let solution = condensed(&qp);
     assert_optimal(&qp, &solution);
-    let condition: f64 = qp.conditions[0]
-        .iter()
-        .map(|&(i, p)| p * solution.x[i as usize])
-        .sum();
+    let condition: f64 = qp.conditions[0].iter().map(|&(i, p)| p * solution.x[i as usize]).sum();
     assert!(condition.abs() < 1e-13);
     let second = interior(&qp);
     assert_optimal(&qp, &second);
     assert!(distance(&second.x, &solution.x) < 1e-10);
     // the raw interior point obeys the condition too
-    let settings = Settings {
-        method: Method::InteriorPoint,
-        crossover: false,
-        ..Settings::default()
-    };
+    let settings = Settings { method: Method::InteriorPoint, crossover: false, ..Settings::default() };
     let raw = solve(&qp, &settings);
     assert!(distance(&raw.x, &solution.x) < 1e-6 && raw.x != second.x);
     // the bordered system [K_II Pᵀ; P 0] on the same active set
@@ -238,10 +198,7 @@ fn two_kernel_vectors_in_any_basis() {
     matrix.view_mut((0, 0), (3, 3)).copy_from(&chain(3));
     matrix.view_mut((3, 3), (3, 3)).copy_from(&chain(3));
     let mut qp = problem(&matrix, &[1.0, 0.0, -1.0, 2.0, -1.0, -1.0], &[]);
-    qp.kernel = vec![
-        vec![1.0, 1.0, 1.0, 1.0, 1.0, 1.0],
-        vec![2.0, 2.0, 2.0, -1.0, -1.0, -1.0],
-    ];
+    qp.kernel = vec![vec![1.0, 1.0, 1.0, 1.0, 1.0, 1.0], vec![2.0, 2.0, 2.0, -1.0, -1.0, -1.0]];
     qp.conditions = vec![vec![(0, 1.0), (3, 1.0)], vec![(5, 1.0)]];
     // x = (a, a−1, a−2), (b, b−2, b−3) with a + b = 0, b = 3
     let truth = [-3.0, -4.0, -5.0, 3.0, 1.0, 0.0];

@@ -23,11 +23,7 @@ pub fn plate(n: usize) -> Plate {
     let mut clamped = blocks.clone();
     for ((a, b), block) in &mut clamped {
         if a % n == 0 || b % n == 0 {
-            *block = if a == b {
-                [1.0, 0.0, 0.0, 1.0]
-            } else {
-                [0.0; 4]
-            };
+            *block = if a == b { [1.0, 0.0, 0.0, 1.0] } else { [0.0; 4] };
         }
     }
     let step = 1.0 / (n - 1) as f64;
@@ -36,10 +32,7 @@ pub fn plate(n: usize) -> Plate {
         load[2 * (n * (n - 1) + i) + 1] = 0.3 * step;
         load[2 * (n * (n - 1) + i)] = 0.05 * step;
     }
-    let bound = |i: usize| Bound {
-        dof: 2 * i as u32 + 1,
-        upper: 0.2 + (i as f64 * step - 0.6).powi(2),
-    };
+    let bound = |i: usize| Bound { dof: 2 * i as u32 + 1, upper: 0.2 + (i as f64 * step - 0.6).powi(2) };
     let qp = BoundQp {
         matrix: from_blocks(n * n, &clamped),
         load,
@@ -55,16 +48,8 @@ fn stiffness(n: usize) -> BTreeMap<(usize, usize), [f64; 4]> {
     for j in 0..n - 1 {
         for i in 0..n - 1 {
             let a = j * n + i;
-            add_triangle(
-                &mut blocks,
-                [a, a + 1, a + n + 1],
-                [[-1.0, 0.0], [1.0, -1.0], [0.0, 1.0]],
-            );
-            add_triangle(
-                &mut blocks,
-                [a, a + n + 1, a + n],
-                [[0.0, -1.0], [1.0, 0.0], [-1.0, 1.0]],
-            );
+            add_triangle(&mut blocks, [a, a + 1, a + n + 1], [[-1.0, 0.0], [1.0, -1.0], [0.0, 1.0]]);
+            add_triangle(&mut blocks, [a, a + n + 1, a + n], [[0.0, -1.0], [1.0, 0.0], [-1.0, 1.0]]);
         }
     }
     blocks
@@ -97,10 +82,7 @@ fn two_thousand_unknowns() {
     assert_eq!(solution.factorizations, 1);
     assert!(solution.iterations <= 9, "{:?}", solution.history);
     let active = solution.multipliers.iter().filter(|l| **l > 0.0).count();
-    assert!(
-        active > 3 && active < 28,
-        "contact with a switch point, {active} active"
-    );
+    assert!(active > 3 && active < 28, "contact with a switch point, {active} active");
     assert_eq!(solution.history.last(), Some(&active));
     let second = interior(&qp);
     assert_optimal(&qp, &second);
@@ -114,35 +96,19 @@ fn a_loose_interior_point_shows_in_the_algebraic_error() {
     let truth = condensed(&qp);
     let norm = |x: &[f64]| {
         let e: Vec<f64> = x.iter().zip(&truth.x).map(|(a, b)| a - b).collect();
-        let zero_load = BoundQp {
-            load: vec![0.0; e.len()],
-            ..qp.clone()
-        };
+        let zero_load = BoundQp { load: vec![0.0; e.len()], ..qp.clone() };
         (2.0 * energy(&zero_load, &e)).sqrt()
     };
     let size = (2.0 * energy(&qp, &truth.x).abs()).sqrt();
     for (tolerance, least, most) in [(1e-2, 1e-4, 0.3), (1e-4, 1e-6, 1e-2), (1e-11, 0.0, 1e-5)] {
         let settings = Settings { method: Method::InteriorPoint, tolerance, crossover: false, ..Settings::default() };
         let loose = solve(&qp, &settings);
-        assert!(
-            matches!(loose.status, Status::Converged { .. }),
-            "{:?}",
-            loose.status
-        );
+        assert!(matches!(loose.status, Status::Converged { .. }), "{:?}", loose.status);
         let error = norm(&loose.x) / size;
         let estimate = algebraic_error(&qp, &loose.x, &loose.multipliers) / size;
-        assert!(
-            error > least && error < most,
-            "tolerance {tolerance}: error {error}"
-        );
-        assert!(
-            estimate > 0.5 * error,
-            "tolerance {tolerance}: {estimate} for {error}"
-        );
-        assert!(
-            estimate < 10.0 * error,
-            "tolerance {tolerance}: {estimate} for {error}"
-        );
+        assert!(error > least && error < most, "tolerance {tolerance}: error {error}");
+        assert!(estimate > 0.5 * error, "tolerance {tolerance}: {estimate} for {error}");
+        assert!(estimate < 10.0 * error, "tolerance {tolerance}: {estimate} for {error}");
     }
     let exact = algebraic_error(&qp, &truth.x, &truth.multipliers) / size;
     assert!(exact < 1e-13, "{exact}");
