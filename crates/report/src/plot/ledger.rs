@@ -15,20 +15,21 @@ struct Term {
     value: fn(&Ledger) -> f64,
 }
 
+/// The sum first: its squares show around the circles of the left side where the two nearly agree.
 const TERMS: [Term; 5] = [
-    Term {
-        words: "½A(e,e)",
-        colour: Colour::Blue,
-        shape: Shape::Circle,
-        strong: true,
-        value: |l| l.lhs,
-    },
     Term {
         words: "a + b + c",
         colour: Colour::Black,
         shape: Shape::Square,
         strong: true,
         value: |l| l.a + l.b + l.c,
+    },
+    Term {
+        words: "½A(e,e)",
+        colour: Colour::Blue,
+        shape: Shape::Circle,
+        strong: true,
+        value: |l| l.lhs,
     },
     Term {
         words: "a",
