@@ -1,4 +1,4 @@
-//! Pictures of a record: [`rates`] and [`ledger`] build a [`Chart`], pure data; [`png`] and [`svg`] draw it.
+//! Pictures of a record: [`rates()`] and [`ledger()`] build a [`Chart`], pure data; [`png()`] and [`svg()`] draw it.
 
 mod annotate;
 mod axis;
