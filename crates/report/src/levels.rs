@@ -8,10 +8,13 @@ use signorini_study::record::{Ledger, Level, StudyRecord};
 /// Norms that carry a pairwise rate (EOC) beside them in [`errors`].
 const WITH_RATE: [&str; 4] = ["energy", "strain", "h1", "l2"];
 
+/// The cell of the level at an index.
+type CellOf<'a> = dyn Fn(usize, &Level) -> Cell + 'a;
+
 /// A column and how its cell follows from the level at an index.
 struct Measured<'a> {
     column: Column,
-    cell: Box<dyn Fn(usize, &Level) -> Cell + 'a>,
+    cell: Box<CellOf<'a>>,
 }
 
 fn measured<'a>(key: &str, heading: &str, cell: impl Fn(&Level) -> Cell + 'a) -> Measured<'a> {
@@ -186,7 +189,6 @@ fn ledger_columns() -> Vec<Measured<'static>> {
             let holds = l.ledger.as_ref().and_then(|t| t.holds);
             holds.map_or(Cell::Missing, Cell::Flag)
         }),
-        measured("two_way", "two-way", |l| Cell::number(l.two_way)),
     ]
 }
 
@@ -194,6 +196,7 @@ fn solution_columns() -> Vec<Measured<'static>> {
     vec![
         measured("min_angle", "min angle °", |l| Cell::Number(l.min_angle)),
         measured("side_ratio", "β", |l| Cell::Number(l.side_ratio)),
+        measured("two_way", "two-way", |l| Cell::number(l.two_way)),
         measured("energy_value", "L(uₕ)", |l| Cell::Number(l.energy)),
         measured("kkt_stationarity", "KKT stationarity", |l| Cell::Number(l.kkt.stationarity)),
         measured("kkt_penetration", "KKT penetration", |l| Cell::Number(l.kkt.penetration)),

@@ -39,12 +39,12 @@ pub fn page(record: &StudyRecord, pictures: Pictures) -> String {
 const ERRORS_LEGEND: &str = "h is the largest side; a rate stands beside its norm and is taken between a level and the \
 usable level before it, log(e₁/e₂) / log(h₁/h₂).";
 const LEDGER_LEGEND: &str = "The estimate of the error, term by term: ½A(e,e) ≤ a + b + c with a = ½A(u−u_I, u−u_I), \
-b and c the terms of the contact zone, δ the quadrature estimate of them all. Two-way: relative difference of A(e,e) \
-by quadrature and by energies.";
+b and c the terms of the contact zone, δ the quadrature estimate of them all.";
 const CONTACT_LEGEND: &str = "Active: constraints whose multiplier exceeds 1e-8 of the largest. Contact set: length of \
 the symmetric difference with the reference's.";
-const SOLUTION_LEGEND: &str = "KKT: scaled residuals of the optimality conditions, recomputed from the raw data. \
-Algebraic, quadrature, geometry, reference: shares of the energy error that are not discretisation.";
+const SOLUTION_LEGEND: &str = "Two-way: relative difference of A(e,e) by quadrature and by energies. KKT: scaled \
+residuals of the optimality conditions, recomputed from the raw data. Algebraic, quadrature, geometry, reference: \
+shares of the energy error that are not discretisation.";
 
 fn head(record: &StudyRecord) -> String {
     let case = if record.several { format!(" · case `{}`", record.case) } else { String::new() };

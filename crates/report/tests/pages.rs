@@ -69,7 +69,7 @@ fn a_number_that_is_none_is_refused_and_named() {
             assert_eq!(place, "column l2, row 3");
             assert!(value.is_nan());
         }
-        other => panic!("accepted: {other:?}"),
+        other => unreachable!("accepted: {other:?}"),
     }
 }
 

@@ -35,7 +35,9 @@ fn hard_records_are_drawn_or_declined() -> Result<(), Box<dyn std::error::Error>
                 let png = plot::png(&chart)?;
                 assert_eq!(size(&png), (WIDTH, HEIGHT), "{name}");
                 fs::write(dir.join(format!("{name}-{kind}.png")), png)?;
-                assert!(plot::svg(&chart)?.trim_end().ends_with("</svg>"), "{name}");
+                let svg = plot::svg(&chart)?;
+                assert!(svg.trim_end().ends_with("</svg>"), "{name}");
+                fs::write(dir.join(format!("{name}-{kind}.svg")), svg)?;
             }
         }
     }

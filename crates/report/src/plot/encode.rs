@@ -45,16 +45,17 @@ pub fn svg(chart: &Chart) -> Result<String, ReportError> {
 
 /// Mean of each block of `FINER × FINER` dots.
 fn averaged(dots: &[u8]) -> Vec<u8> {
-    let row = (WIDTH * FINER * 3) as usize;
-    let finer = FINER as usize;
+    let (pixel, row) = (3 * FINER as usize, 3 * (WIDTH * FINER) as usize);
     let mut pixels = Vec::with_capacity((WIDTH * HEIGHT * 3) as usize);
-    for y in 0..HEIGHT as usize {
-        for x in 0..WIDTH as usize {
-            for channel in 0..3 {
-                let dot = |i: usize, j: usize| u32::from(dots[(y * finer + j) * row + (x * finer + i) * 3 + channel]);
-                let sum: u32 = (0..finer * finer).map(|k| dot(k % finer, k / finer)).sum();
-                pixels.push((sum / (FINER * FINER)) as u8);
+    for rows in dots.chunks_exact(row * FINER as usize) {
+        for left in (0..row).step_by(pixel) {
+            let mut sums = [0_u32; 3];
+            for line in rows.chunks_exact(row) {
+                for dot in line[left..left + pixel].chunks_exact(3) {
+                    (0..3).for_each(|channel| sums[channel] += u32::from(dot[channel]));
+                }
             }
+            pixels.extend(sums.map(|sum| (sum / (FINER * FINER)) as u8));
         }
     }
     pixels
@@ -65,7 +66,7 @@ fn encode(pixels: &[u8]) -> Result<Vec<u8>, png::EncodingError> {
     let mut encoder = png::Encoder::new(&mut bytes, WIDTH, HEIGHT);
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_depth(png::BitDepth::Eight);
-    encoder.set_compression(png::Compression::Best);
+    encoder.set_compression(png::Compression::Default);
     encoder.set_filter(png::FilterType::NoFilter);
     let mut writer = encoder.write_header()?;
     writer.write_image_data(pixels)?;

@@ -1,5 +1,6 @@
-//! Pictures of a record: [`rates`] and [`ledger`] build a [`Chart`], pure data; [`png`] and [`svg`] draw it.
+//! Pictures of a record: [`rates()`] and [`ledger()`] build a [`Chart`], pure data; [`png()`] and [`svg()`] draw it.
 
+mod annotate;
 mod axis;
 mod canvas;
 mod chart;
