@@ -6,5 +6,12 @@ pub mod claim;
 pub mod exact;
 pub mod expr;
 pub mod family;
+pub mod file;
+mod finite;
+pub mod rate;
 pub mod record;
+#[cfg(test)]
+mod sample;
+pub mod store;
 pub mod study;
+pub mod verdict;

@@ -2,6 +2,7 @@
 //!
 //! A number is `null` exactly where there is no value; a non-finite number is refused by [`StudyRecord::to_json`].
 
+use crate::finite;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -127,6 +128,10 @@ pub struct Level {
     pub solver: SolverRecord,
     /// Whether the level may enter the fit, and if not why.
     pub excluded: Option<String>,
+    /// `‖u‖_A = √A(u,u)` of the reference, or of `u_h` where there is none: what makes an error rounding.
+    pub solution_energy: Option<f64>,
+    /// `max |u_h|` over the nodes times the square root of the length of `Γ_K`: the scale of `penetration_l2`.
+    pub solution_trace: Option<f64>,
 }
 
 /// Errors against the reference. `None` where the reference or the scene gives no value.
@@ -154,6 +159,38 @@ pub struct Errors {
     pub strain_bodies: Option<[f64; 2]>,
     /// `√A(u−u_I, u−u_I)`, the interpolation error the ceiling is measured by.
     pub interpolation: Option<f64>,
+}
+
+impl Errors {
+    /// Names of the errors that a rate is fitted to, in the order of the record.
+    pub const NORMS: [&'static str; 9] = [
+        "strain",
+        "energy",
+        "h1",
+        "l2",
+        "pressure_l2",
+        "pressure_dual",
+        "penetration_l2",
+        "contact_set",
+        "energy_gap",
+    ];
+
+    /// The error of the given name; the signed `energy_gap` by its absolute value. `None` for a missing value and for
+    /// a name that is not in [`Errors::NORMS`].
+    pub fn size(&self, name: &str) -> Option<f64> {
+        match name {
+            "strain" => self.strain,
+            "energy" => self.energy,
+            "h1" => self.h1,
+            "l2" => self.l2,
+            "pressure_l2" => self.pressure_l2,
+            "pressure_dual" => self.pressure_dual,
+            "penetration_l2" => self.penetration_l2,
+            "contact_set" => self.contact_set,
+            "energy_gap" => self.energy_gap.map(f64::abs),
+            _ => None,
+        }
+    }
 }
 
 /// `½A(e,e) ≤ a + b + c`, term by term.
@@ -239,6 +276,8 @@ pub struct Rate {
     pub curvature: f64,
     /// Slope of the same window against `dofs^{-1/2}`.
     pub dofs_slope: f64,
+    /// Whether the pairwise rates of the window have settled; if not, the window is the last four levels.
+    pub asymptotic: bool,
 }
 
 /// What a rate is held against; `None` where there is no such bound.
@@ -300,7 +339,148 @@ pub enum RecordError {
         /// `NaN`, `inf` or `-inf`.
         value: f64,
     },
-    /// Malformed JSON, or of another schema.
+    /// Malformed JSON, or a record with missing or mistyped fields.
     #[error("record: {0}")]
     Json(#[from] serde_json::Error),
+    /// A record of another schema.
+    #[error("record: schema {found}, this program reads {SCHEMA}: run the study again")]
+    Schema {
+        /// What the record says.
+        found: u32,
+    },
+}
+
+/// Any value as indented JSON with a closing newline: fields in the order of their declaration, maps by key.
+///
+/// # Errors
+/// [`RecordError::NonFinite`] names the first NaN or infinite number.
+pub fn to_json(value: &impl Serialize) -> Result<String, RecordError> {
+    finite::check(value)?;
+    Ok(serde_json::to_string_pretty(value)? + "\n")
+}
+
+impl StudyRecord {
+    /// The record as indented JSON, the same bytes for the same record.
+    ///
+    /// # Errors
+    /// [`RecordError::NonFinite`] names the first NaN or infinite number.
+    pub fn to_json(&self) -> Result<String, RecordError> {
+        to_json(self)
+    }
+
+    /// Reads a record of this [`SCHEMA`].
+    ///
+    /// # Errors
+    /// [`RecordError::Schema`] for another schema, [`RecordError::Json`] for anything that is no record.
+    pub fn from_json(text: &str) -> Result<Self, RecordError> {
+        #[derive(Deserialize)]
+        struct Head {
+            schema: u32,
+        }
+        // the head first: a record of another schema is told so, not that a field is missing
+        let found = serde_json::from_str::<Head>(text)?.schema;
+        if found != SCHEMA {
+            return Err(RecordError::Schema { found });
+        }
+        Ok(serde_json::from_str(text)?)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sample;
+
+    #[test]
+    fn a_record_survives_writing_and_reading_to_the_last_bit() {
+        let mut record = sample::record("s", "s", sample::levels(5, |h| h.powf(0.9)));
+        record.parameters.insert("alpha".into(), 0.1 + 0.2);
+        let text = record.to_json().unwrap();
+        assert!(text.ends_with("}\n"));
+        let back = StudyRecord::from_json(&text).unwrap();
+        assert_eq!(back, record);
+        assert_eq!(back.to_json().unwrap(), text);
+    }
+
+    #[test]
+    fn a_missing_value_is_null_and_stays_so() {
+        let record = sample::record("s", "s", sample::levels(4, |h| h));
+        let value: serde_json::Value = serde_json::from_str(&record.to_json().unwrap()).unwrap();
+        assert!(value["levels"][0]["errors"]["pressure_l2"].is_null());
+        assert_eq!(
+            value["levels"][0]["errors"]["energy"],
+            record.levels[0].errors.energy.unwrap()
+        );
+    }
+
+    #[test]
+    fn non_finite_numbers_are_refused_by_name() {
+        let clean = sample::record("s", "s", sample::levels(4, |h| h));
+        type Spoil = fn(&mut StudyRecord);
+        let spoilt: [(Spoil, &str); 6] = [
+            (
+                |r| r.levels[3].errors.strain = Some(f64::NAN),
+                "levels[3].errors.strain",
+            ),
+            (|r| r.levels[1].energy = f64::INFINITY, "levels[1].energy"),
+            (
+                |r| r.levels[2].errors.strain_bodies = Some([0.0, f64::NAN]),
+                "levels[2].errors.strain_bodies[1]",
+            ),
+            (
+                |r| r.rates.get_mut("energy").unwrap().pairwise[0].1 = f64::NAN,
+                "rates.energy.pairwise[0][1]",
+            ),
+            (
+                |r| drop(r.parameters.insert("k".into(), f64::NEG_INFINITY)),
+                "parameters.k",
+            ),
+            (
+                |r| overkill(r).clone_from(&f64::NAN),
+                "reference.overkill.energy",
+            ),
+        ];
+        for (spoil, place) in spoilt {
+            let mut record = clean.clone();
+            spoil(&mut record);
+            match record.to_json() {
+                Err(RecordError::NonFinite { path, value }) => {
+                    assert!(path == place && !value.is_finite(), "{path}")
+                }
+                other => panic!("{place}: {other:?}"),
+            }
+        }
+    }
+
+    /// Gives the record an overkill reference and hands out its energy.
+    fn overkill(record: &mut StudyRecord) -> &mut f64 {
+        record.reference = Reference::Overkill {
+            h: 0.01,
+            dofs: 100,
+            energy: -1.0,
+            estimated_error: None,
+            stationarity: 1e-15,
+            solver: "condensed".into(),
+        };
+        match &mut record.reference {
+            Reference::Overkill { energy, .. } => energy,
+            _ => unreachable!("just set"),
+        }
+    }
+
+    #[test]
+    fn another_schema_is_told_apart_from_nonsense() {
+        assert!(matches!(
+            StudyRecord::from_json(r#"{"schema": 99}"#),
+            Err(RecordError::Schema { found: 99 })
+        ));
+        assert!(matches!(
+            StudyRecord::from_json(r#"{"schema": 1}"#),
+            Err(RecordError::Json(_))
+        ));
+        assert!(matches!(
+            StudyRecord::from_json("nonsense"),
+            Err(RecordError::Json(_))
+        ));
+    }
 }

@@ -63,6 +63,9 @@ pub struct Case {
     pub fixed_quadrature: bool,
     /// Remarks of the reader's interest, e.g. a dropped tail.
     pub notes: Vec<String>,
+    /// Everything of the case that can change a number or the verdict, one fact per line: what
+    /// [`Case::fingerprint`] hashes.
+    pub canonical: String,
 }
 
 /// Reference solution of a case.
@@ -92,15 +95,25 @@ pub struct Gates {
     pub exact_tolerance: f64,
     /// Kind `convergence`: each error at most this times the previous (0.9).
     pub fall: f64,
-    /// Kind `bounded`: largest over smallest constant (2).
+    /// Kind `bounded`: largest over smallest constant, or largest over `constant` where that is given (2).
     pub spread: f64,
+    /// Kind `bounded`: the reference constant of an upper bound that may vanish on some meshes (none).
+    pub constant: Option<f64>,
     /// Largest share of a budget item (0.05).
     pub share: f64,
 }
 
 impl Default for Gates {
     fn default() -> Self {
-        Self { rate_tolerance: 0.05, ceiling: Some(1.5), exact_tolerance: 1e-11, fall: 0.9, spread: 2.0, share: 0.05 }
+        Self {
+            rate_tolerance: 0.05,
+            ceiling: Some(1.5),
+            exact_tolerance: 1e-11,
+            fall: 0.9,
+            spread: 2.0,
+            constant: None,
+            share: 0.05,
+        }
     }
 }
 

@@ -1,5 +1,7 @@
 //! The catalogue of claims: statement, hypotheses, the paper's bound, today's bound, sources.
 
+pub mod catalogue;
+
 use crate::record::{Bounds, ClaimKind};
 
 /// A claim that a study judges.
