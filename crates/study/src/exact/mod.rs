@@ -1,5 +1,35 @@
 //! Exact solutions of contact problems: built-in closed forms and expressions of a study file.
 
+mod built_in;
+mod cell;
+pub mod derived;
+mod differences;
+mod expression;
+mod field;
+mod line;
+mod many_switches;
+mod natural;
+mod parameters;
+mod patch;
+mod polar;
+mod polynomial;
+mod power_law;
+#[cfg(test)]
+mod tests;
+mod tiles;
+pub mod verify;
+
+pub use built_in::{BUILT_INS, BuiltIn, built_in, sobolev_order};
+pub use expression::{ComponentError, Expressions};
+pub use field::Field;
+pub use many_switches::ManySwitches;
+pub use natural::Natural;
+pub use parameters::Parameter;
+pub use patch::CornerPatch;
+pub use polynomial::Polynomial;
+pub use power_law::PowerLaw;
+pub use tiles::Tiles;
+
 use signorini_contact::{Body, Point, Vec2, geometry::Segment};
 
 /// Displacement and its first derivatives at a point.

@@ -1,0 +1,124 @@
+//! Half a neighbourhood of a switch point: `X = x − s`, `Y = |y| ≥ 0`, with the functions of `r, θ` that singular
+//! solutions are made of, free of `atan2` and of cancellation.
+
+use crate::expr::{Real, power, sqrt};
+
+/// A point `(X, Y)`, `Y ≥ 0`, off the origin, with its distance.
+pub(super) struct Polar<D> {
+    x: D,
+    y: D,
+    squared: D,
+    /// `r`.
+    r: D,
+}
+
+impl<D: Real> Polar<D> {
+    /// `None` at the origin itself.
+    pub(super) fn new(x: D, y: D) -> Option<Self> {
+        let squared = x * x + y * y;
+        (squared.re() > 0.0).then(|| Self {
+            x,
+            y,
+            squared,
+            r: sqrt(squared),
+        })
+    }
+
+    /// Real and imaginary part of `ζ^{1/2}`, `ζ = X + iY`.
+    pub(super) fn complex_root(&self) -> (D, D) {
+        // (ζ^{1/2})² = X + iY gives p² = (r+X)/2, 2pq = Y; the larger of p, q first, so that nothing cancels.
+        if self.x.re() >= 0.0 {
+            let p = sqrt((self.r + self.x) * 0.5);
+            (p, self.y / p * 0.5)
+        } else {
+            let q = sqrt((self.r - self.x) * 0.5);
+            (self.y / q * 0.5, q)
+        }
+    }
+
+    /// `(sin θ, (1+cos θ)/2, (1−cos θ)/2)`.
+    pub(super) fn angle(&self) -> (D, D, D) {
+        let sine = self.y / self.r;
+        // The smaller of the two halves, (1−|cos θ|)/2 = Y²/(2r(r+|X|)), is computed without cancellation.
+        if self.x.re() >= 0.0 {
+            let small = sine * self.y / (self.r + self.x) * 0.5;
+            (sine, -small + 1.0, small)
+        } else {
+            let small = sine * self.y / (self.r - self.x) * 0.5;
+            (sine, small, -small + 1.0)
+        }
+    }
+
+    /// `r^α`.
+    pub(super) fn radius_power(&self, alpha: f64) -> D {
+        power(self.squared, 0.5 * alpha)
+    }
+}
+
+/// Zero at the origin, with first derivatives `slope` and infinite second ones: a singular solution at its own tip.
+pub(super) fn tip<D: Real>(x: D, y: D, slope: f64) -> D {
+    x.chain(0.0, slope, f64::INFINITY) + y.chain(0.0, slope, f64::INFINITY)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use num_dual::{Dual2SVec64, DualSVec64};
+
+    const PI: f64 = std::f64::consts::PI;
+
+    #[test]
+    fn root_and_angle_agree_with_polar_coordinates_at_every_angle() {
+        for i in 0..=64 {
+            let theta = PI * f64::from(i) / 64.0;
+            let (x, y) = (0.3 * theta.cos(), 0.3 * theta.sin());
+            let polar = Polar::new(x, y).unwrap();
+            let (p, q) = polar.complex_root();
+            let root = 0.3f64.sqrt();
+            assert!((p - root * (theta / 2.0).cos()).abs() < 1e-15);
+            assert!((q - root * (theta / 2.0).sin()).abs() < 1e-15);
+            let (sine, plus, minus) = polar.angle();
+            assert!((sine - theta.sin()).abs() < 1e-15);
+            assert!((plus - (theta / 2.0).cos().powi(2)).abs() < 1e-15);
+            assert!((minus - (theta / 2.0).sin().powi(2)).abs() < 1e-15);
+        }
+    }
+
+    #[test]
+    fn a_negative_zero_stays_on_the_upper_side() {
+        let (p, q) = Polar::new(-0.25, -0.0).unwrap().complex_root();
+        assert_eq!((p.abs(), q), (0.0, 0.5));
+    }
+
+    #[test]
+    fn nothing_cancels_near_the_negative_axis() {
+        // (1+cos θ)/2 ≈ (π−θ)²/4 far below the rounding of cos θ.
+        let (_, plus, _) = Polar::new(-1.0, 1e-10).unwrap().angle();
+        assert!((plus / 2.5e-21 - 1.0).abs() < 1e-12, "{plus:e}");
+    }
+
+    /// `ζ^{1/2}` is analytic: its parts satisfy the Cauchy–Riemann equations and are harmonic.
+    #[test]
+    fn the_root_is_analytic() {
+        for (a, b) in [(0.2, 0.0), (-0.2, 0.0), (0.1, 0.3), (-0.1, 0.3), (0.0, 0.5)] {
+            let x = Dual2SVec64::<2>::from_re(a).derivative(0);
+            let y = Dual2SVec64::<2>::from_re(b).derivative(1);
+            let (p, q) = Polar::new(x, y).unwrap().complex_root();
+            let (dp, dq) = (p.v1.0.unwrap(), q.v1.0.unwrap());
+            assert!((dp[0] - dq[1]).abs() < 1e-13 && (dp[1] + dq[0]).abs() < 1e-13);
+            for part in [p, q] {
+                let h = part.v2.0.unwrap();
+                assert!((h[(0, 0)] + h[(1, 1)]).abs() < 1e-12 * h.norm());
+            }
+        }
+    }
+
+    #[test]
+    fn a_tip_is_zero_with_honest_derivatives() {
+        let x = DualSVec64::<2>::from_re(0.0).derivative(0);
+        let y = DualSVec64::<2>::from_re(0.0).derivative(1);
+        let t = tip(x, y, f64::INFINITY);
+        assert_eq!(t.re, 0.0);
+        assert!(t.eps.0.unwrap().iter().all(|d| d.is_infinite()));
+    }
+}
