@@ -6,6 +6,7 @@ pub mod claim;
 pub mod exact;
 pub mod expr;
 pub mod family;
+pub mod file;
 mod finite;
 pub mod rate;
 pub mod record;

@@ -63,6 +63,9 @@ pub struct Case {
     pub fixed_quadrature: bool,
     /// Remarks of the reader's interest, e.g. a dropped tail.
     pub notes: Vec<String>,
+    /// Everything of the case that can change a number or the verdict, one fact per line: what
+    /// [`Case::fingerprint`] hashes.
+    pub canonical: String,
 }
 
 /// Reference solution of a case.

@@ -1,0 +1,36 @@
+//! The studies that are built into the program, so that it works without a checkout.
+
+use super::library::Group;
+
+macro_rules! shipped {
+    ($($group:ident $folder:literal: $($id:literal)*;)*) => {
+        /// Group, id and text, in the order in which they are listed.
+        pub(super) const SHIPPED: &[(Group, &str, &str)] = &[
+            $($((
+                Group::$group,
+                $id,
+                include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../studies/", $folder, $id, ".toml")),
+            ),)*)*
+        ];
+    };
+}
+
+shipped! {
+    Standard "":
+        "corner-patch"
+        "lemma-2-1"
+        "many-switches"
+        "remark-3-2a"
+        "remark-3-2b"
+        "theorem-3-1-natural"
+        "theorem-3-1-smooth"
+        "two-squares"
+    ;
+    Controls "controls/":
+        "fixed-quadrature"
+        "loose-solver"
+        "same-mesh-twice"
+        "too-few-levels"
+        "wrong-mu"
+    ;
+}
