@@ -17,41 +17,11 @@ struct Term {
 
 /// The sum first: its squares show around the circles of the left side where the two nearly agree.
 const TERMS: [Term; 5] = [
-    Term {
-        words: "a + b + c",
-        colour: Colour::Black,
-        shape: Shape::Square,
-        strong: true,
-        value: |l| l.a + l.b + l.c,
-    },
-    Term {
-        words: "½A(e,e)",
-        colour: Colour::Blue,
-        shape: Shape::Circle,
-        strong: true,
-        value: |l| l.lhs,
-    },
-    Term {
-        words: "a",
-        colour: Colour::Green,
-        shape: Shape::Triangle,
-        strong: false,
-        value: |l| l.a,
-    },
-    Term {
-        words: "b",
-        colour: Colour::Vermillion,
-        shape: Shape::Diamond,
-        strong: false,
-        value: |l| l.b,
-    },
-    Term {
-        words: "c",
-        colour: Colour::Purple,
-        shape: Shape::Diamond,
-        strong: false,
-        value: |l| l.c,
-    },
+    Term { words: "a + b + c", colour: Colour::Black, shape: Shape::Square, strong: true, value: |l| l.a + l.b + l.c },
+    Term { words: "½A(e,e)", colour: Colour::Blue, shape: Shape::Circle, strong: true, value: |l| l.lhs },
+    Term { words: "a", colour: Colour::Green, shape: Shape::Triangle, strong: false, value: |l| l.a },
+    Term { words: "b", colour: Colour::Vermillion, shape: Shape::Diamond, strong: false, value: |l| l.b },
+    Term { words: "c", colour: Colour::Purple, shape: Shape::Diamond, strong: false, value: |l| l.c },
 ];
 
 /// `½A(e,e)`, the terms `a`, `b`, `c` by their absolute values, and their sum, against `h`, with the bound's own slope
