@@ -2,7 +2,7 @@
 
 /// Meaningless input or a file that cannot be used; a solve that ended badly is part of the record instead.
 #[derive(Debug, thiserror::Error)]
-pub enum StudyError {
+pub enum RunError {
     /// The discrete problem refused its input.
     #[error(transparent)]
     Contact(#[from] signorini_contact::Error),
@@ -16,13 +16,8 @@ pub enum StudyError {
     #[error("{0}")]
     Study(String),
     /// A file cannot be read or written.
-    #[error("{path}: {source}")]
-    File {
-        /// The file.
-        path: String,
-        /// What the system said.
-        source: std::io::Error,
-    },
+    #[error(transparent)]
+    Store(#[from] crate::store::StoreError),
     /// A record cannot be written or read.
     #[error(transparent)]
     Record(#[from] crate::record::RecordError),

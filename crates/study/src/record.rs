@@ -92,6 +92,8 @@ pub enum Reference {
 pub struct Level {
     /// From 0, the coarsest.
     pub level: usize,
+    /// Cells per unit of the coarse division, the study's `n`.
+    pub cells: usize,
     /// Largest side of the mesh.
     pub h: f64,
     /// Smallest angle, in degrees.
@@ -126,6 +128,8 @@ pub struct Level {
     pub budget: Budget,
     /// How it was solved.
     pub solver: SolverRecord,
+    /// What deserves a warning: nearly dependent normals, a free slide that was pinned.
+    pub warnings: Vec<String>,
     /// Whether the level may enter the fit, and if not why.
     pub excluded: Option<String>,
     /// `‖u‖_A = √A(u,u)` of the reference, or of `u_h` where there is none: what makes an error rounding.

@@ -1,7 +1,7 @@
 //! A scene as the discrete problem wants it: supports, loads and boundary data, and where quadrature has to take care.
 
 use crate::exact::derived;
-use crate::study::{PartCondition, Scene, VectorField};
+use crate::study::{ExactScene, PartCondition, Scene, VectorField};
 use signorini_contact::problem::{Data, Support};
 use signorini_contact::quadrature::Cubature;
 use signorini_contact::{Body, Point, Vec2};
@@ -60,24 +60,24 @@ fn value_or(given: Option<&VectorField>, x: Point, normal: Vec2, otherwise: impl
     given.map_or_else(otherwise, |field| field(x, normal))
 }
 
-impl crate::study::ExactScene {
+impl ExactScene {
     /// `F = −div τ(u)` in the exact solution's own materials.
     pub fn body_force(&self, body: Body, x: Point) -> Vec2 {
-        derived::body_force_of(&self.solution.jet2(body, x), &self.materials[body.index()])
+        derived::body_force(self.solution.as_ref(), &self.materials[body.index()], body, x)
     }
 
     /// `τ(u) n`.
     pub fn traction(&self, body: Body, x: Point, normal: Vec2) -> Vec2 {
-        derived::traction_of(&self.solution.jet(body, x), &self.materials[body.index()], normal)
+        derived::traction(self.solution.as_ref(), &self.materials[body.index()], body, x, normal)
     }
 
     /// `T_n = n·τ(u')n` for the outward normal `n` of `Ω'`; not positive where the bodies press.
     pub fn contact_stress(&self, x: Point, normal: Vec2) -> f64 {
-        normal.dot(&self.traction(Body::First, x, normal))
+        derived::contact_stress(self.solution.as_ref(), &self.materials[0], x, normal)
     }
 
     /// `[u]_n = n·(u' − u'')`; negative where the bodies are apart.
     pub fn jump(&self, x: Point, normal: Vec2) -> f64 {
-        normal.dot(&(self.solution.value(Body::First, x) - self.solution.value(Body::Second, x)))
+        derived::jump(self.solution.as_ref(), x, normal)
     }
 }

@@ -2,7 +2,7 @@
 
 use super::contact::{self, ContactErrors, ContactState};
 use super::timing::{LevelTimes, Stopwatch};
-use crate::error::StudyError;
+use crate::error::RunError;
 use crate::family::{self, Level as MeshLevel};
 use crate::record::{Budget, Errors, Kkt, Ledger, Level, SolverRecord};
 use crate::reference::exact::Integrals;
@@ -45,7 +45,7 @@ pub struct Task<'a> {
 
 impl Task<'_> {
     /// The mesh of a level.
-    fn mesh(&self, index: usize) -> Result<MeshLevel, StudyError> {
+    fn mesh(&self, index: usize) -> Result<MeshLevel, RunError> {
         let scene = &self.case.scene;
         Ok(family::build_level(
             &self.case.family,
@@ -58,7 +58,7 @@ impl Task<'_> {
     }
 
     /// Measures a level against the exact solution.
-    pub fn against_exact(&self, exact: &ExactScene, index: usize) -> Result<(Level, LevelTimes), StudyError> {
+    pub fn against_exact(&self, exact: &ExactScene, index: usize) -> Result<(Level, LevelTimes), RunError> {
         let mut watch = Stopwatch::start();
         let meshed = self.mesh(index)?;
         let mesh = meshed.hierarchy.finest();
@@ -81,7 +81,7 @@ impl Task<'_> {
     }
 
     /// Measures a level against a discrete reference on a nested finer mesh; `at` is the level's place in its hierarchy.
-    pub fn against_overkill(&self, reference: &Overkill, at: usize, index: usize) -> Result<(Level, LevelTimes), StudyError> {
+    pub fn against_overkill(&self, reference: &Overkill, at: usize, index: usize) -> Result<(Level, LevelTimes), RunError> {
         let mut watch = Stopwatch::start();
         let meshed = self.mesh(index)?;
         let mesh = meshed.hierarchy.finest();
@@ -101,7 +101,7 @@ impl Task<'_> {
     }
 
     /// Solves a level and keeps energies and certificates alone.
-    pub fn without_reference(&self, index: usize) -> Result<(Level, LevelTimes), StudyError> {
+    pub fn without_reference(&self, index: usize) -> Result<(Level, LevelTimes), RunError> {
         let mut watch = Stopwatch::start();
         let meshed = self.mesh(index)?;
         let mesh = meshed.hierarchy.finest();
@@ -117,7 +117,7 @@ impl Task<'_> {
     }
 
     /// Solves the reference on the finest mesh of a hierarchy.
-    pub fn overkill(&self, cells: usize) -> Result<(Overkill, LevelTimes), StudyError> {
+    pub fn overkill(&self, cells: usize) -> Result<(Overkill, LevelTimes), RunError> {
         let mut watch = Stopwatch::start();
         let scene = &self.case.scene;
         let hierarchy = family::build_reference(
@@ -136,7 +136,7 @@ impl Task<'_> {
         watch.lap(|t| &mut t.assembly);
         let solved = self.solve(&problem, discrete, &mut watch);
         if !solved.solution.raw.status.is_solved() {
-            return Err(StudyError::Reference(format!("the reference solve ended with '{}'", solver::describe(&solved.solution.raw.status))));
+            return Err(RunError::Reference(format!("the reference solve ended with '{}'", solved.solution.raw.status)));
         }
         let Solved { discrete, solution, .. } = solved;
         Ok((Overkill { hierarchy, discrete, solution }, watch.finish()))
@@ -209,8 +209,8 @@ impl Task<'_> {
             },
             budget: Budget::default(),
             solver: SolverRecord {
-                name: solver::name(self.settings.method).to_owned(),
-                status: solver::describe(&raw.status),
+                name: self.settings.method.name().to_owned(),
+                status: raw.status.to_string(),
                 solved: raw.status.is_solved(),
                 iterations: raw.iterations,
                 factorizations: raw.factorizations,

@@ -9,7 +9,7 @@ mod partial;
 mod reference;
 pub mod timing;
 
-use crate::error::StudyError;
+use crate::error::RunError;
 use crate::exact::verify;
 use crate::rate;
 use crate::record::{Level, Reference, SCHEMA, StudyRecord};
@@ -72,7 +72,7 @@ pub struct CaseRun {
 ///
 /// # Errors
 /// The first case, in file order, whose input is meaningless.
-pub fn run_study(study: &Study, settings: &RunSettings, watch: &dyn Watch) -> Result<Vec<CaseRun>, StudyError> {
+pub fn run_study(study: &Study, settings: &RunSettings, watch: &dyn Watch) -> Result<Vec<CaseRun>, RunError> {
     let runs: Vec<_> = study.cases.par_iter().map(|case| run_case(study, case, settings, watch)).collect();
     runs.into_iter().collect()
 }
@@ -81,7 +81,7 @@ pub fn run_study(study: &Study, settings: &RunSettings, watch: &dyn Watch) -> Re
 ///
 /// # Errors
 /// Meaningless input: an exact solution that breaks its contact conditions, a load without equilibrium, …
-pub fn run_case(study: &Study, case: &Case, settings: &RunSettings, watch: &dyn Watch) -> Result<CaseRun, StudyError> {
+pub fn run_case(study: &Study, case: &Case, settings: &RunSettings, watch: &dyn Watch) -> Result<CaseRun, RunError> {
     verify_exact(case)?;
     let all = if settings.profile == Profile::Quick { &case.quick } else { &case.full };
     let cells = &all[..settings.levels.unwrap_or(all.len()).min(all.len())];
@@ -98,7 +98,7 @@ pub fn run_case(study: &Study, case: &Case, settings: &RunSettings, watch: &dyn 
         watch.level_done(&study.id, &case.name, index);
         measured
     };
-    let measured: Result<Vec<_>, StudyError> = (0..cells.len()).into_par_iter().map(measure).collect::<Vec<_>>().into_iter().collect();
+    let measured: Result<Vec<_>, RunError> = (0..cells.len()).into_par_iter().map(measure).collect::<Vec<_>>().into_iter().collect();
     let (levels, times): (Vec<Level>, Vec<LevelTimes>) = measured?.into_iter().unzip();
     let reference = reference::describe(case, overkill.as_ref().map(|(o, _)| o), &task);
     let record = conclude(study, case, settings, levels, reference);
@@ -108,10 +108,10 @@ pub fn run_case(study: &Study, case: &Case, settings: &RunSettings, watch: &dyn 
 
 /// Pointwise verification of the exact solution, before any mesh. A solution built for other materials is a planted
 /// defect and is verified in its own.
-fn verify_exact(case: &Case) -> Result<(), StudyError> {
+fn verify_exact(case: &Case) -> Result<(), RunError> {
     let Some(exact) = &case.scene.exact else {
         return if case.reference == ReferencePlan::Exact {
-            Err(StudyError::Study(format!(
+            Err(RunError::Study(format!(
                 "case '{}' measures against an exact solution, but its scene has none; add [exact] or set reference = \"overkill\"",
                 case.name
             )))
@@ -121,16 +121,16 @@ fn verify_exact(case: &Case) -> Result<(), StudyError> {
     };
     verify::verify(exact.solution.as_ref(), &exact.materials, &case.scene.contact)
         .map(|_| ())
-        .map_err(|e| StudyError::Exact(e.to_string()))
+        .map_err(|e| RunError::Exact(e.to_string()))
 }
 
-fn solve_reference(task: &Task, settings: &RunSettings) -> Result<Option<(Overkill, LevelTimes)>, StudyError> {
+fn solve_reference(task: &Task, settings: &RunSettings) -> Result<Option<(Overkill, LevelTimes)>, RunError> {
     let ReferencePlan::Overkill { quick, full } = task.case.reference else { return Ok(None) };
     let cells = if settings.profile == Profile::Quick { quick } else { full };
     task.overkill(cells).map(Some)
 }
 
-fn measure_level(task: &Task, overkill: Option<&Overkill>, index: usize) -> Result<(Level, LevelTimes), StudyError> {
+fn measure_level(task: &Task, overkill: Option<&Overkill>, index: usize) -> Result<(Level, LevelTimes), RunError> {
     match (&task.case.reference, overkill, &task.case.scene.exact) {
         (ReferencePlan::Exact, _, Some(exact)) => task.against_exact(exact, index),
         (ReferencePlan::Overkill { .. }, Some(reference), _) => {

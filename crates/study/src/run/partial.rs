@@ -6,7 +6,7 @@
 use super::RunSettings;
 use super::level::Task;
 use super::timing::LevelTimes;
-use crate::error::StudyError;
+use crate::error::RunError;
 use crate::record::{Level, to_json};
 use crate::store;
 use crate::study::{Case, Study};
@@ -26,7 +26,7 @@ struct Kept {
 
 impl Partial {
     /// The folder of this case under these settings, if the run keeps one.
-    pub fn open(study: &Study, case: &Case, settings: &RunSettings, task: &Task) -> Result<Self, StudyError> {
+    pub fn open(study: &Study, case: &Case, settings: &RunSettings, task: &Task) -> Result<Self, RunError> {
         let Some(root) = &settings.partial else { return Ok(Self { folder: None }) };
         let what = format!(
             "{}\n{}\n{}\n{:?}\n{:?}\n{:?}\n{}",
@@ -39,8 +39,6 @@ impl Partial {
             env!("CARGO_PKG_VERSION")
         );
         let folder = root.join(crate::fnv::hex(what.as_bytes()));
-        std::fs::create_dir_all(&folder)
-            .map_err(|source| StudyError::File { path: folder.display().to_string(), source })?;
         Ok(Self { folder: Some(folder) })
     }
 
@@ -49,8 +47,8 @@ impl Partial {
     pub fn level(
         &self,
         index: usize,
-        measure: impl FnOnce() -> Result<(Level, LevelTimes), StudyError>,
-    ) -> Result<(Level, LevelTimes), StudyError> {
+        measure: impl FnOnce() -> Result<(Level, LevelTimes), RunError>,
+    ) -> Result<(Level, LevelTimes), RunError> {
         let Some(folder) = &self.folder else { return measure() };
         let path = folder.join(format!("level-{index}.json"));
         let kept = std::fs::read_to_string(&path).ok().and_then(|text| serde_json::from_str::<Kept>(&text).ok());
@@ -59,7 +57,7 @@ impl Partial {
         }
         let (level, times) = measure()?;
         let kept = Kept { level, times };
-        store::write_atomically(&path, to_json(&kept)?.as_bytes())?;
+        store::write_atomic(&path, &to_json(&kept)?)?;
         Ok((kept.level, kept.times))
     }
 

@@ -1,7 +1,7 @@
 //! The discrete reference in a record: what it is, and how much of the measured errors is its own.
 
 use super::level::Task;
-use crate::error::StudyError;
+use crate::error::RunError;
 use crate::rate;
 use crate::record::{Level, Reference};
 use crate::reference::overkill::Overkill;
@@ -25,17 +25,17 @@ pub fn describe(case: &Case, overkill: Option<&Overkill>, task: &Task) -> Refere
         energy: overkill.solution.energy,
         estimated_error: None,
         stationarity: certificate.stationarity,
-        solver: solver::name(task.settings.method).to_owned(),
+        solver: task.settings.method.name().to_owned(),
     }
 }
 
 /// Where a study level stands in the reference's hierarchy: the mesh with the same number of nodes, which is then the
 /// very same mesh.
-pub fn place_in_hierarchy(task: &Task, overkill: &Overkill, index: usize) -> Result<usize, StudyError> {
+pub fn place_in_hierarchy(task: &Task, overkill: &Overkill, index: usize) -> Result<usize, RunError> {
     let (coarsest, cells) = (task.cells[0], task.cells[index]);
     let at = (cells / coarsest).ilog2() as usize;
     if coarsest << at != cells || at + 1 >= overkill.hierarchy.levels().len() {
-        return Err(StudyError::Reference(format!(
+        return Err(RunError::Reference(format!(
             "level {index} with n = {cells} is no refinement of n = {coarsest} below the reference mesh; \
              let every level be the coarsest times a power of two, and the reference finer than all of them"
         )));
