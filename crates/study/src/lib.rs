@@ -13,9 +13,9 @@ pub mod rate;
 pub mod record;
 pub mod reference;
 pub mod run;
-mod scene;
 #[cfg(test)]
 mod sample;
+mod scene;
 pub mod store;
 pub mod study;
 pub mod verdict;

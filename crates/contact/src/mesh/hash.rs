@@ -31,6 +31,13 @@ impl Mesh {
     }
 }
 
+/// FNV-1a (64 bits) of a string of bytes.
+pub fn fnv1a(bytes: &[u8]) -> u64 {
+    let mut hash = Fnv1a::default();
+    hash.bytes(bytes);
+    hash.0
+}
+
 /// State of FNV-1a with 64 bits.
 pub(super) struct Fnv1a(pub u64);
 

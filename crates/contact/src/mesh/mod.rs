@@ -25,6 +25,7 @@ mod sides;
 mod tests;
 pub mod triangulation;
 
+pub use hash::fnv1a;
 pub use hierarchy::Hierarchy;
 pub use quality::Quality;
 pub use triangulation::Triangulation;

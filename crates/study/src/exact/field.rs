@@ -35,23 +35,12 @@ impl<F: Field> Exact for F {
     }
 
     fn jet(&self, body: Body, x: Point) -> Jet {
-        let u = self.eval(
-            body,
-            DualSVec64::from_re(x.x).derivative(0),
-            DualSVec64::from_re(x.y).derivative(1),
-        );
-        Jet {
-            value: Vec2::new(u[0].re, u[1].re),
-            gradient: u.map(|c| c.eps.0.map_or([0.0; 2], |v| [v[0], v[1]])),
-        }
+        let u = self.eval(body, DualSVec64::from_re(x.x).derivative(0), DualSVec64::from_re(x.y).derivative(1));
+        Jet { value: Vec2::new(u[0].re, u[1].re), gradient: u.map(|c| c.eps.0.map_or([0.0; 2], |v| [v[0], v[1]])) }
     }
 
     fn jet2(&self, body: Body, x: Point) -> Jet2 {
-        let u = self.eval(
-            body,
-            Dual2SVec64::from_re(x.x).derivative(0),
-            Dual2SVec64::from_re(x.y).derivative(1),
-        );
+        let u = self.eval(body, Dual2SVec64::from_re(x.x).derivative(0), Dual2SVec64::from_re(x.y).derivative(1));
         Jet2 {
             value: Vec2::new(u[0].re, u[1].re),
             gradient: u.map(|c| row(c.v1.0.unwrap_or_else(Matrix1x2::zeros))),

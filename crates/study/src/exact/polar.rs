@@ -16,12 +16,7 @@ impl<D: Real> Polar<D> {
     /// `None` at the origin itself.
     pub(super) fn new(x: D, y: D) -> Option<Self> {
         let squared = x * x + y * y;
-        (squared.re() > 0.0).then(|| Self {
-            x,
-            y,
-            squared,
-            r: sqrt(squared),
-        })
+        (squared.re() > 0.0).then(|| Self { x, y, squared, r: sqrt(squared) })
     }
 
     /// Real and imaginary part of `ζ^{1/2}`, `ζ = X + iY`.

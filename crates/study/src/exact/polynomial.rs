@@ -83,8 +83,5 @@ impl Field for Polynomial {
 
 /// The segment from `(x, −half)` to `(x, half)`, through both bodies.
 pub(super) fn vertical(x: f64, half: f64) -> Segment {
-    Segment {
-        a: Point::new(x, -half),
-        b: Point::new(x, half),
-    }
+    Segment { a: Point::new(x, -half), b: Point::new(x, half) }
 }

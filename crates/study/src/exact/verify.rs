@@ -79,11 +79,9 @@ impl Condition {
     /// The quantity in words and letters, what it must be, and where to look.
     fn words(self) -> (&'static str, &'static str, &'static str) {
         match self {
-            Self::Finite => (
-                "value or derivative",
-                "must be finite",
-                "declare the point as singular, or mend the expression there",
-            ),
+            Self::Finite => {
+                ("value or derivative", "must be finite", "declare the point as singular, or mend the expression there")
+            }
             Self::NoPenetration => (
                 "jump n·(u' − u'')",
                 "must not exceed 0",
@@ -104,11 +102,9 @@ impl Condition {
                 "must be 0",
                 "the paper has no friction; the shear stress on the contact zone must vanish in each body",
             ),
-            Self::Complementarity => (
-                "product T_n n·(u' − u'')",
-                "must be 0",
-                "pressure acts across an open gap; their supports overlap",
-            ),
+            Self::Complementarity => {
+                ("product T_n n·(u' − u'')", "must be 0", "pressure acts across an open gap; their supports overlap")
+            }
             Self::Gradient => (
                 "difference of ∇u and the slope of u",
                 "must be 0",
@@ -145,27 +141,15 @@ impl std::error::Error for VerifyError {}
 ///
 /// # Errors
 /// The first condition that fails, in the order of [`Condition`] and then along the polyline.
-pub fn verify(
-    exact: &dyn Exact,
-    materials: &[Material; 2],
-    contact: &[Point],
-) -> Result<Verification, VerifyError> {
+pub fn verify(exact: &dyn Exact, materials: &[Material; 2], contact: &[Point]) -> Result<Verification, VerifyError> {
     let samples = sampled(exact, materials, contact)?;
     let result = measured(&samples);
     let checks: [(Condition, f64, fn(&Sample) -> Residual); 5] = [
-        (Condition::NoPenetration, result.displacement, |s| {
-            (None, s.jump)
-        }),
-        (Condition::Reaction, result.stress, |s| {
-            (None, (s.normal[0] - s.normal[1]).abs())
-        }),
+        (Condition::NoPenetration, result.displacement, |s| (None, s.jump)),
+        (Condition::Reaction, result.stress, |s| (None, (s.normal[0] - s.normal[1]).abs())),
         (Condition::NoTension, result.stress, Sample::tension),
         (Condition::NoFriction, result.stress, Sample::friction),
-        (
-            Condition::Complementarity,
-            result.stress * result.displacement,
-            |s| (None, s.work()),
-        ),
+        (Condition::Complementarity, result.stress * result.displacement, |s| (None, s.work())),
     ];
     for (condition, scale, residual) in checks {
         let bound = TOLERANCE * scale;
@@ -207,10 +191,7 @@ impl Sample {
         Self {
             at,
             jets,
-            size: [
-                u[0].norm().max(u[1].norm()),
-                tau.iter().flatten().fold(0.0, |m: f64, t| m.max(t.abs())),
-            ],
+            size: [u[0].norm().max(u[1].norm()), tau.iter().flatten().fold(0.0, |m: f64, t| m.max(t.abs()))],
             jump: n.dot(&(u[0] - u[1])),
             normal: forces.map(|t| n.dot(&t)),
             tangential: forces.map(|t| tangent_of(n).dot(&t)),
@@ -236,11 +217,7 @@ fn larger(values: [f64; 2]) -> Residual {
 }
 
 /// The samples of every segment; all of them finite.
-fn sampled(
-    exact: &dyn Exact,
-    materials: &[Material; 2],
-    contact: &[Point],
-) -> Result<Vec<Sample>, VerifyError> {
+fn sampled(exact: &dyn Exact, materials: &[Material; 2], contact: &[Point]) -> Result<Vec<Sample>, VerifyError> {
     let singular = exact.singular_points();
     let mut all = Vec::new();
     for segment in segments(contact) {
@@ -253,14 +230,7 @@ fn sampled(
             for body in Body::BOTH {
                 let bad = not_finite(&sample.jets[body.index()]);
                 let value = bad.unwrap_or(0.0);
-                demand(
-                    bad.is_none(),
-                    Condition::Finite,
-                    Some(body),
-                    at,
-                    value,
-                    f64::MAX,
-                )?;
+                demand(bad.is_none(), Condition::Finite, Some(body), at, value, f64::MAX)?;
             }
             all.push(sample);
         }
@@ -279,12 +249,7 @@ fn points(segment: Segment) -> impl Iterator<Item = Point> {
 /// The first entry of a jet that is no finite number.
 pub(super) fn not_finite(jet: &Jet2) -> Option<f64> {
     let second = jet.hessian.iter().flatten().flatten();
-    jet.value
-        .iter()
-        .chain(jet.gradient.iter().flatten())
-        .chain(second)
-        .copied()
-        .find(|v| !v.is_finite())
+    jet.value.iter().chain(jet.gradient.iter().flatten()).chain(second).copied().find(|v| !v.is_finite())
 }
 
 fn measured(samples: &[Sample]) -> Verification {
@@ -316,11 +281,5 @@ pub(super) fn demand(
     if holds {
         return Ok(());
     }
-    Err(VerifyError {
-        condition,
-        body,
-        at,
-        value,
-        bound,
-    })
+    Err(VerifyError { condition, body, at, value, bound })
 }

@@ -153,9 +153,7 @@ fn freedoms(mesh: &Mesh, fixed: &[Point]) -> Vec<Freedom> {
         let stays = || fixed.iter().any(|f| (f - at).norm() <= tolerance);
         match beside[..] {
             [] => Freedom::Inner,
-            [a, b] if !stays() => {
-                Freedom::Along((mesh.points[b as usize] - mesh.points[a as usize]).normalize())
-            }
+            [a, b] if !stays() => Freedom::Along((mesh.points[b as usize] - mesh.points[a as usize]).normalize()),
             _ => Freedom::None,
         }
     };

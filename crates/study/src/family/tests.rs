@@ -106,16 +106,8 @@ fn sheared() -> Scene {
         name: "sheared",
         shapes: [shape("upper", &[upper]), shape("lower", &[lower])],
         outlines: vec![
-            part(
-                Body::First,
-                "rest",
-                &[upper[1], upper[2], upper[3], upper[0]],
-            ),
-            part(
-                Body::Second,
-                "rest",
-                &[lower[3], lower[0], lower[1], lower[2]],
-            ),
+            part(Body::First, "rest", &[upper[1], upper[2], upper[3], upper[0]]),
+            part(Body::Second, "rest", &[lower[3], lower[0], lower[1], lower[2]]),
         ],
         contact: points(&[[0.0, 0.0], [1.0, 0.0]]),
         areas: [1.0, 1.0],
@@ -124,21 +116,9 @@ fn sheared() -> Scene {
     }
 }
 
-const PERTURBED: Family = Family::Perturbed {
-    seed: 1,
-    amount: 0.3,
-};
-const REFINED: Family = Family::Refined {
-    seed: 1,
-    amount: 0.3,
-};
-const ALL: [Family; 5] = [
-    Family::Structured,
-    Family::CrissCross,
-    Family::UnionJack,
-    PERTURBED,
-    REFINED,
-];
+const PERTURBED: Family = Family::Perturbed { seed: 1, amount: 0.3 };
+const REFINED: Family = Family::Refined { seed: 1, amount: 0.3 };
+const ALL: [Family; 5] = [Family::Structured, Family::CrissCross, Family::UnionJack, PERTURBED, REFINED];
 
 fn scenes() -> [Scene; 4] {
     [squares(), kinked(), punch(), sheared()]
@@ -177,10 +157,7 @@ fn every_level_of_every_family_fills_the_bodies() {
                 assert_eq!(level.nested, family.is_nested() && index > 0, "{what}");
                 let own = cells[if family.is_nested() { 0 } else { index }];
                 let guarded = family.amount().is_some();
-                assert!(
-                    !guarded || level.quality.min_angle > guard(&scene, own),
-                    "{what}"
-                );
+                assert!(!guarded || level.quality.min_angle > guard(&scene, own), "{what}");
             }
         }
     }
@@ -201,11 +178,7 @@ fn squares_have_the_known_certificate() {
 fn scenes_have_the_angles_stated_above() {
     for scene in scenes() {
         let level = scene.level(Family::Structured, &[1], 0).unwrap();
-        assert!(
-            (level.quality.min_angle - scene.angle).abs() < 1e-10,
-            "{}",
-            scene.name
-        );
+        assert!((level.quality.min_angle - scene.angle).abs() < 1e-10, "{}", scene.name);
     }
 }
 

@@ -12,12 +12,8 @@ const FORMS: &str = "give exactly one of `lame = [λ, μ]`, `young` with `poisso
 pub fn material(raw: &Spanned<RawMaterial>) -> Result<Material, Fault> {
     let span = raw.span();
     let m = raw.get_ref();
-    let forms = [
-        m.lame.is_some(),
-        m.young.is_some() || m.poisson.is_some(),
-        m.orthotropic.is_some(),
-        m.matrix.is_some(),
-    ];
+    let forms =
+        [m.lame.is_some(), m.young.is_some() || m.poisson.is_some(), m.orthotropic.is_some(), m.matrix.is_some()];
     let given = forms.iter().filter(|f| **f).count();
     if given != 1 {
         return refuse(span, format!("material: {given} laws where there must be 1"), FORMS);
@@ -31,7 +27,11 @@ pub fn material(raw: &Spanned<RawMaterial>) -> Result<Material, Fault> {
         return checked(Material::lame(lambda.0, mu.0), raw, "choose μ > 0 and λ + μ > 0");
     }
     if let Some(c) = m.matrix {
-        return checked(Material::general(c.map(|r| r.map(|x| x.0))), raw, "give a symmetric, positive definite matrix");
+        return checked(
+            Material::general(c.map(|r| r.map(|x| x.0))),
+            raw,
+            "give a symmetric, positive definite matrix",
+        );
     }
     match &m.orthotropic {
         Some(o) => checked(orthotropic(o, plane), raw, "choose positive moduli and smaller ratios"),

@@ -160,11 +160,6 @@ fn rounding_is_measured_by_the_solution() {
     let mut levels = sample::levels(5, |h| 1e-10 * h);
     levels.iter_mut().for_each(|l| l.solution_energy = Some(1e-8));
     assert!(fit_levels(&levels, "energy").is_ok());
-    levels
-        .iter_mut()
-        .for_each(|l| l.solution_energy = Some(1.0));
-    assert!(matches!(
-        fit_levels(&levels, "energy"),
-        Err(NoFit::Rounding { level: 1, .. })
-    ));
+    levels.iter_mut().for_each(|l| l.solution_energy = Some(1.0));
+    assert!(matches!(fit_levels(&levels, "energy"), Err(NoFit::Rounding { level: 1, .. })));
 }

@@ -11,6 +11,7 @@
 
 use crate::exact::derived;
 use crate::study::{ExactScene, PartCondition, Scene};
+use rayon::prelude::*;
 use signorini_contact::element::{displacement_gradient, gradients, hats};
 use signorini_contact::geometry::right_normal;
 use signorini_contact::material::{Material, contract, strain};
@@ -19,7 +20,6 @@ use signorini_contact::norm::Squares;
 use signorini_contact::quadrature::Cubature;
 use signorini_contact::sum::ordered_sum;
 use signorini_contact::{Vec2, zone::Zone};
-use rayon::prelude::*;
 
 /// What one triangle contributes.
 #[derive(Clone, Copy, Default)]
@@ -57,7 +57,14 @@ pub struct Integrals {
 
 impl Integrals {
     /// One pass over the mesh. `u_I` are the nodal values of `u`.
-    pub fn new(scene: &Scene, exact: &ExactScene, mesh: &Mesh, zone: &Zone, interpolant: &[Vec2], cubature: &Cubature) -> Self {
+    pub fn new(
+        scene: &Scene,
+        exact: &ExactScene,
+        mesh: &Mesh,
+        zone: &Zone,
+        interpolant: &[Vec2],
+        cubature: &Cubature,
+    ) -> Self {
         let element = |t: usize| Element::new(scene, exact, mesh, interpolant, cubature, t);
         let elements: Vec<Element> = (0..mesh.triangles.len()).into_par_iter().with_min_len(32).map(element).collect();
         let solution = ordered_sum(elements.len(), |t| elements[t].solution);
@@ -133,7 +140,14 @@ impl Integrals {
 }
 
 impl Element {
-    fn new(scene: &Scene, exact: &ExactScene, mesh: &Mesh, interpolant: &[Vec2], cubature: &Cubature, t: usize) -> Self {
+    fn new(
+        scene: &Scene,
+        exact: &ExactScene,
+        mesh: &Mesh,
+        interpolant: &[Vec2],
+        cubature: &Cubature,
+        t: usize,
+    ) -> Self {
         let (body, corners) = (mesh.body(t), mesh.corners(t));
         let (material, own) = (&scene.materials[body.index()], &exact.materials[body.index()]);
         let given = scene.body_force[body.index()].as_ref();
@@ -147,7 +161,8 @@ impl Element {
             let hat = hats(corners, x);
             let u_i: Vec2 = (0..3).map(|k| hat[k] * nodal[k]).sum();
             let w = jet.value - u_i;
-            let grad_w: [[f64; 2]; 2] = std::array::from_fn(|i| std::array::from_fn(|j| jet.gradient[i][j] - linear[i][j]));
+            let grad_w: [[f64; 2]; 2] =
+                std::array::from_fn(|i| std::array::from_fn(|j| jet.gradient[i][j] - linear[i][j]));
             for i in 0..2 {
                 (0..2).for_each(|j| sums.mean[i][j] += weight * grad_w[i][j]);
             }

@@ -84,7 +84,13 @@ pub struct ContactErrors {
 }
 
 /// Measures the discrete zone against the exact solution.
-pub fn against_exact(exact: &ExactScene, mesh: &Mesh, zone: &Zone, state: &ContactState, cubature: &Cubature) -> ContactErrors {
+pub fn against_exact(
+    exact: &ExactScene,
+    mesh: &Mesh,
+    zone: &Zone,
+    state: &ContactState,
+    cubature: &Cubature,
+) -> ContactErrors {
     let switches = exact.solution.switch_points();
     let mut errors = ContactErrors { pressure: 0.0, pressure_dual: 0.0, contact_set: 0.0, switch_sides: 0 };
     for (side, &normal) in zone.side_normals.iter().enumerate() {
@@ -107,8 +113,11 @@ pub fn against_exact(exact: &ExactScene, mesh: &Mesh, zone: &Zone, state: &Conta
             .filter(|s| (1e-9..=1.0 - 1e-9).contains(s))
             .collect();
         errors.switch_sides += usize::from(!inside.is_empty());
-        let closed = |x: Point| exact.jump(x, normal) >= -1e-14 * exact.solution.value(signorini_contact::Body::First, x).norm().max(1e-3);
-        errors.contact_set += length * wrong_share(&inside, state.active[side], |s| closed(ends[0] + s * (ends[1] - ends[0])));
+        let closed = |x: Point| {
+            exact.jump(x, normal) >= -1e-14 * exact.solution.value(signorini_contact::Body::First, x).norm().max(1e-3)
+        };
+        errors.contact_set +=
+            length * wrong_share(&inside, state.active[side], |s| closed(ends[0] + s * (ends[1] - ends[0])));
     }
     errors.pressure = errors.pressure.sqrt();
     errors.pressure_dual = errors.pressure_dual.sqrt();
@@ -129,7 +138,8 @@ fn wrong_share(switches: &[f64], active: [bool; 2], closed: impl Fn(f64) -> bool
 
 /// Errors on the contact zone of a coarse solution against a discrete reference on a nested finer mesh.
 pub fn against_reference(mesh: &Mesh, state: &ContactState, fine: &Mesh, reference: &ContactState) -> ContactErrors {
-    let mut errors = ContactErrors { pressure: 0.0, pressure_dual: 0.0, contact_set: 0.0, switch_sides: state.switch_sides() };
+    let mut errors =
+        ContactErrors { pressure: 0.0, pressure_dual: 0.0, contact_set: 0.0, switch_sides: state.switch_sides() };
     // Refinement splits every contact side into the same number of pieces, in order.
     let pieces = fine.contact.len() / mesh.contact.len();
     for (k, [r0, r1]) in reference.pressure.iter().enumerate() {

@@ -72,7 +72,8 @@ impl Task<'_> {
         let discrete = problem.discretise_with(fine.load.clone())?;
         watch.lap(|t| &mut t.assembly);
         let solved = self.solve(&problem, discrete, &mut watch);
-        let measured = ExactMeasurement { task: self, mesh, base: &base, fine: &fine, interpolant: &interpolant, solved: &solved };
+        let measured =
+            ExactMeasurement { task: self, mesh, base: &base, fine: &fine, interpolant: &interpolant, solved: &solved };
         let contact = contact::against_exact(exact, mesh, &solved.discrete.zone, &solved.state, &cubature);
         let mut level = self.level(index, &meshed, &solved);
         measured.fill(&mut level, &contact);
@@ -81,7 +82,12 @@ impl Task<'_> {
     }
 
     /// Measures a level against a discrete reference on a nested finer mesh; `at` is the level's place in its hierarchy.
-    pub fn against_overkill(&self, reference: &Overkill, at: usize, index: usize) -> Result<(Level, LevelTimes), RunError> {
+    pub fn against_overkill(
+        &self,
+        reference: &Overkill,
+        at: usize,
+        index: usize,
+    ) -> Result<(Level, LevelTimes), RunError> {
         let mut watch = Stopwatch::start();
         let meshed = self.mesh(index)?;
         let mesh = meshed.hierarchy.finest();
@@ -136,7 +142,10 @@ impl Task<'_> {
         watch.lap(|t| &mut t.assembly);
         let solved = self.solve(&problem, discrete, &mut watch);
         if !solved.solution.raw.status.is_solved() {
-            return Err(RunError::Reference(format!("the reference solve ended with '{}'", solved.solution.raw.status)));
+            return Err(RunError::Reference(format!(
+                "the reference solve ended with '{}'",
+                solved.solution.raw.status
+            )));
         }
         let Solved { discrete, solution, .. } = solved;
         Ok((Overkill { hierarchy, discrete, solution }, watch.finish()))
@@ -157,9 +166,17 @@ impl Task<'_> {
 
     /// Two quadratures of the exact solution, the second one refinement finer, refined until the interpolation error
     /// changes by less than the ledger's accuracy or the leaves run out.
-    fn integrals(&self, exact: &ExactScene, mesh: &Mesh, zone: &Zone, interpolant: &[Vec2]) -> (Integrals, Integrals, Cubature) {
+    fn integrals(
+        &self,
+        exact: &ExactScene,
+        mesh: &Mesh,
+        zone: &Zone,
+        interpolant: &[Vec2],
+    ) -> (Integrals, Integrals, Cubature) {
         let scene = &self.case.scene;
-        let at = |depth| Integrals::new(scene, exact, mesh, zone, interpolant, &scene.cubature(depth, self.case.fixed_quadrature));
+        let at = |depth| {
+            Integrals::new(scene, exact, mesh, zone, interpolant, &scene.cubature(depth, self.case.fixed_quadrature))
+        };
         let (mut base, mut fine, mut depth) = (at(0), at(1), 1);
         let rough = |a: &Integrals, b: &Integrals| {
             (a.interpolation.energy - b.interpolation.energy).abs() > LEDGER_ACCURACY * b.interpolation.energy
@@ -220,7 +237,15 @@ impl Task<'_> {
         }
     }
 
-    fn fill_from_overkill(&self, level: &mut Level, reference: &Overkill, at: usize, mesh: &Mesh, solved: &Solved, coarse_load: &[Vec2]) {
+    fn fill_from_overkill(
+        &self,
+        level: &mut Level,
+        reference: &Overkill,
+        at: usize,
+        mesh: &Mesh,
+        solved: &Solved,
+        coarse_load: &[Vec2],
+    ) {
         let materials = &self.case.scene.materials;
         let (discrete, solution) = (&solved.discrete, &solved.solution);
         let fine_mesh = reference.hierarchy.finest();
@@ -241,7 +266,8 @@ impl Task<'_> {
         let load_gap = (work(&discrete.load, &solution.displacement) - work(&reference.discrete.load, &v)).abs();
         let load_change = dual_norm(discrete, &differences(&discrete.load, coarse_load));
         let delta = load_gap + 1e-14 * reference.solution.strain_energy;
-        level.ledger = Some(ledger(0.5 * error.energy, 0.5 * interpolation.energy, b, delta, reference.solution.strain_energy));
+        level.ledger =
+            Some(ledger(0.5 * error.energy, 0.5 * interpolation.energy, b, delta, reference.solution.strain_energy));
         let e = error.energy_norm();
         level.budget = Budget {
             algebraic: share(qp::algebraic_error(&discrete.qp, &solution.raw.x, &solution.raw.multipliers), e),
@@ -268,7 +294,13 @@ impl ExactMeasurement<'_> {
         let (discrete, solution) = (&self.solved.discrete, &self.solved.solution);
         let d = differences(self.interpolant, &solution.displacement);
         let (base, fine) = (self.base.error(self.mesh, materials, &d), self.fine.error(self.mesh, materials, &d));
-        set_errors(&mut level.errors, &fine, contact, self.fine.interpolation.energy_norm(), solution.energy - self.fine.energy);
+        set_errors(
+            &mut level.errors,
+            &fine,
+            contact,
+            self.fine.interpolation.energy_norm(),
+            solution.energy - self.fine.energy,
+        );
         level.switch_sides = Some(contact.switch_sides);
         let (by_base, by_fine) = (self.error_from_energies(self.base), self.error_from_energies(self.fine));
         level.two_way = relative_difference(fine.energy, by_fine, self.fine.solution.energy);

@@ -3,6 +3,7 @@
 //! Levels and cases are independent of one another, so they run side by side; the results are put together in the
 //! order of the file, so the records do not depend on the number of threads.
 
+mod check;
 mod contact;
 mod level;
 mod partial;
@@ -16,9 +17,11 @@ use crate::record::{Level, Reference, SCHEMA, StudyRecord};
 use crate::reference::overkill::Overkill;
 use crate::study::{Case, ReferencePlan, Study};
 use crate::verdict::{self, JudgeInput};
+pub use check::{CheckedLevel, check_case};
 use level::Task;
 use partial::Partial;
 use rayon::prelude::*;
+pub use signorini_contact::solver::Method;
 use signorini_contact::solver::Settings;
 use std::path::PathBuf;
 use timing::LevelTimes;
@@ -39,17 +42,15 @@ pub struct RunSettings {
     pub profile: Profile,
     /// This many levels from the coarsest, instead of the profile's own number.
     pub levels: Option<usize>,
-    /// A solver in place of the study's.
-    pub solver: Option<Settings>,
+    /// A method in place of the study's own, with the study's other settings.
+    pub solver: Option<Method>,
     /// Where unfinished cases keep their finished levels; nothing is kept without it.
     pub partial: Option<PathBuf>,
 }
 
 /// Who is told how far a run has come.
 pub trait Watch: Sync {
-    /// A case will measure this many levels, its reference counted as one.
-    fn case_started(&self, _study: &str, _case: &str, _levels: usize) {}
-    /// A level is done.
+    /// A level, or the reference, is done.
     fn level_done(&self, _study: &str, _case: &str, _level: usize) {}
 }
 
@@ -83,14 +84,11 @@ pub fn run_study(study: &Study, settings: &RunSettings, watch: &dyn Watch) -> Re
 /// Meaningless input: an exact solution that breaks its contact conditions, a load without equilibrium, …
 pub fn run_case(study: &Study, case: &Case, settings: &RunSettings, watch: &dyn Watch) -> Result<CaseRun, RunError> {
     verify_exact(case)?;
-    let all = if settings.profile == Profile::Quick { &case.quick } else { &case.full };
-    let cells = &all[..settings.levels.unwrap_or(all.len()).min(all.len())];
-    let task = Task { case, cells, settings: settings.solver.unwrap_or(case.solver) };
+    let cells = cells_of(case, settings);
+    let task = Task { case, cells, settings: solver_settings(case, settings) };
     let partial = Partial::open(study, case, settings, &task)?;
-    let references = usize::from(matches!(case.reference, ReferencePlan::Overkill { .. }));
-    watch.case_started(&study.id, &case.name, cells.len() + references);
     let overkill = solve_reference(&task, settings)?;
-    if references == 1 {
+    if overkill.is_some() {
         watch.level_done(&study.id, &case.name, cells.len());
     }
     let measure = |index: usize| {
@@ -98,12 +96,32 @@ pub fn run_case(study: &Study, case: &Case, settings: &RunSettings, watch: &dyn 
         watch.level_done(&study.id, &case.name, index);
         measured
     };
-    let measured: Result<Vec<_>, RunError> = (0..cells.len()).into_par_iter().map(measure).collect::<Vec<_>>().into_iter().collect();
+    let measured: Result<Vec<_>, RunError> =
+        (0..cells.len()).into_par_iter().map(measure).collect::<Vec<_>>().into_iter().collect();
     let (levels, times): (Vec<Level>, Vec<LevelTimes>) = measured?.into_iter().unzip();
     let reference = reference::describe(case, overkill.as_ref().map(|(o, _)| o), &task);
     let record = conclude(study, case, settings, levels, reference);
     partial.close();
     Ok(CaseRun { record, times, reference_times: overkill.map(|(_, t)| t) })
+}
+
+/// How many times [`Watch::level_done`] will be called for a study: its levels, and one for each reference.
+pub fn work(study: &Study, settings: &RunSettings) -> usize {
+    let of = |case: &Case| {
+        cells_of(case, settings).len() + usize::from(matches!(case.reference, ReferencePlan::Overkill { .. }))
+    };
+    study.cases.iter().map(of).sum()
+}
+
+/// The mesh parameters of a case under these settings, coarsest first.
+fn cells_of<'a>(case: &'a Case, settings: &RunSettings) -> &'a [usize] {
+    let all = if settings.profile == Profile::Quick { &case.quick } else { &case.full };
+    &all[..settings.levels.unwrap_or(all.len()).min(all.len())]
+}
+
+/// The study's solver settings, with the run's method if it names one.
+fn solver_settings(case: &Case, settings: &RunSettings) -> Settings {
+    Settings { method: settings.solver.unwrap_or(case.solver.method), ..case.solver }
 }
 
 /// Pointwise verification of the exact solution, before any mesh. A solution built for other materials is a planted
@@ -142,7 +160,13 @@ fn measure_level(task: &Task, overkill: Option<&Overkill>, index: usize) -> Resu
 }
 
 /// Contamination, exclusion, rates and verdict: everything that needs all levels together.
-fn conclude(study: &Study, case: &Case, settings: &RunSettings, mut levels: Vec<Level>, mut reference: Reference) -> StudyRecord {
+fn conclude(
+    study: &Study,
+    case: &Case,
+    settings: &RunSettings,
+    mut levels: Vec<Level>,
+    mut reference: Reference,
+) -> StudyRecord {
     let claim = &study.claim;
     reference::contaminate(&mut levels, &mut reference);
     verdict::exclude_levels(&mut levels, &case.gates);

@@ -38,7 +38,7 @@ impl Partial {
             task.settings,
             env!("CARGO_PKG_VERSION")
         );
-        let folder = root.join(crate::fnv::hex(what.as_bytes()));
+        let folder = root.join(format!("{:016x}", signorini_contact::mesh::fnv1a(what.as_bytes())));
         Ok(Self { folder: Some(folder) })
     }
 

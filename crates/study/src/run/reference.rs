@@ -6,7 +6,7 @@ use crate::rate;
 use crate::record::{Level, Reference};
 use crate::reference::overkill::Overkill;
 use crate::study::{Case, ReferencePlan};
-use signorini_contact::{qp, solver};
+use signorini_contact::qp;
 
 /// The entry of the record.
 pub fn describe(case: &Case, overkill: Option<&Overkill>, task: &Task) -> Reference {

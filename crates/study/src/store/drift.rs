@@ -118,18 +118,9 @@ mod tests {
         assert_eq!(Baseline::read(&scratch.0, "s").unwrap(), Some(blessed()));
         assert_eq!(Baseline::read(&scratch.0, "other").unwrap(), None);
         std::fs::write(&path, "{}").unwrap();
-        assert!(matches!(
-            Baseline::read(&scratch.0, "s"),
-            Err(crate::store::StoreError::Content { .. })
-        ));
-        assert_eq!(
-            blessed().cases["structured"].scene_hash.as_deref(),
-            Some("0123456789abcdef")
-        );
-        assert_eq!(
-            Baseline::from_records(&[], &Default::default(), "0.1.0"),
-            None
-        );
+        assert!(matches!(Baseline::read(&scratch.0, "s"), Err(crate::store::StoreError::Content { .. })));
+        assert_eq!(blessed().cases["structured"].scene_hash.as_deref(), Some("0123456789abcdef"));
+        assert_eq!(Baseline::from_records(&[], &Default::default(), "0.1.0"), None);
     }
 
     #[test]

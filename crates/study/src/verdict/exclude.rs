@@ -41,9 +41,7 @@ pub(super) fn broken_parts<'a>(level: &Level, gates: &'a Gates) -> impl Iterator
         .into_iter()
         .filter_map(|(part, share)| Some((part, share?)))
         // a NaN share compares with nothing and is a broken one
-        .filter(move |(_, share)| {
-            !rounding && share.partial_cmp(&gates.share).is_none_or(|o| o.is_gt())
-        })
+        .filter(move |(_, share)| !rounding && share.partial_cmp(&gates.share).is_none_or(|o| o.is_gt()))
 }
 
 /// Whether the energy error is within [`Gates::exact_tolerance`] of the solution's norm.

@@ -16,8 +16,8 @@ fn every_solution_on_squares_passes_verification() {
     for lame in PAIRS {
         for (name, list) in ON_SQUARES {
             let exact = made(name, list, lame);
-            let v = verify(&*exact, &materials(lame), &line())
-                .unwrap_or_else(|e| panic!("{name} {list:?} {lame:?}: {e}"));
+            let v =
+                verify(&*exact, &materials(lame), &line()).unwrap_or_else(|e| panic!("{name} {list:?} {lame:?}: {e}"));
             assert_eq!(v.points, 257);
             assert!(v.stress > 0.0 && v.displacement > 0.0, "{name}: {v:?}");
             assert!(v.tangential < 1e-12 && v.reaction < 1e-12, "{name}: {v:?}");
@@ -55,10 +55,7 @@ fn compare(exact: &dyn Exact, lame: [Lame; 2], forms: impl Fn(f64) -> (f64, f64)
         let t = contact_stress(exact, &materials(lame)[0], at, DOWN);
         assert!((g - gap).abs() < 1e-12, "{what} at {x}: gap {g} ≠ {gap}");
         let near = 1e-12 * (1.0 + pressing.abs());
-        assert!(
-            (t - pressing).abs() < near,
-            "{what} at {x}: {t} ≠ {pressing}"
-        );
+        assert!((t - pressing).abs() < near, "{what} at {x}: {t} ≠ {pressing}");
     }
 }
 
@@ -74,11 +71,7 @@ fn gap_and_contact_stress_are_the_stated_ones() {
         for alpha in [0.4, 1.0, 1.5] {
             let r = made("R", &[("alpha", alpha)], lame);
             let pressed = |x: f64| {
-                if x < s {
-                    2.0 * (s - x).powf(alpha - 1.0)
-                } else {
-                    0.0
-                }
+                if x < s { 2.0 * (s - x).powf(alpha - 1.0) } else { 0.0 }
             };
             let forms = |x| (0.4 * positive(x - s, alpha), -pressed(x));
             compare(&*r, lame, forms, "R");
@@ -92,16 +85,8 @@ fn gap_and_contact_stress_are_the_stated_ones() {
 #[test]
 fn cells_have_the_stated_gap_and_contact_stress() {
     let forms = |xi: f64| {
-        let p = if xi < 0.43 {
-            -3000.0 * (xi * (0.43 - xi)).powi(2)
-        } else {
-            0.0
-        };
-        let g = if xi > 0.43 {
-            400.0 * ((xi - 0.43) * (1.0 - xi)).powi(3)
-        } else {
-            0.0
-        };
+        let p = if xi < 0.43 { -3000.0 * (xi * (0.43 - xi)).powi(2) } else { 0.0 };
+        let g = if xi > 0.43 { 400.0 * ((xi - 0.43) * (1.0 - xi)).powi(3) } else { 0.0 };
         (g, p)
     };
     let n = 7.0f64;
@@ -164,18 +149,12 @@ fn values_at_the_switch_point_itself_are_finite() {
         let exact = made(name, &list, PAIRS[0]);
         for body in Body::BOTH {
             let u = exact.value(body, s);
-            assert!(
-                u.iter().all(|c| c.is_finite()) && u.norm() > 0.01,
-                "{name}: {u:?}"
-            );
+            assert!(u.iter().all(|c| c.is_finite()) && u.norm() > 0.01, "{name}: {u:?}");
         }
     }
     let jet = made("W", &[], PAIRS[0]).jet2(Body::First, s);
     assert!(jet.gradient.iter().flatten().all(|d| d.is_finite()));
-    assert!(
-        jet.hessian[0][0][0].is_infinite(),
-        "the blow-up is not hidden"
-    );
+    assert!(jet.hessian[0][0][0].is_infinite(), "the blow-up is not hidden");
 }
 
 /// `∫ |∇∇u_N|²` over both bodies by a midpoint rule that sees every cell with the same points.
@@ -230,11 +209,7 @@ fn the_singular_part_of_w_needs_no_load() {
             let material = &materials[body.index()];
             let force = crate::exact::derived::body_force(&*w, material, body, at).norm();
             let h = w.jet2(body, at).hessian;
-            let term = h
-                .iter()
-                .flatten()
-                .flatten()
-                .fold(0.0, |m: f64, d| m.max(d.abs()));
+            let term = h.iter().flatten().flatten().fold(0.0, |m: f64, d| m.max(d.abs()));
             assert!(force < 3.0 && term > 50.0, "{body:?}: {force} {term}");
         }
     }
@@ -244,12 +219,7 @@ fn the_singular_part_of_w_needs_no_load() {
 fn stress_of_a_patch_is_constant() {
     let exact = made("corner-patch-2", &[], PAIRS[2]);
     for body in Body::BOTH {
-        let t = stress(
-            &*exact,
-            &materials(PAIRS[2])[body.index()],
-            body,
-            Point::new(0.3, -0.8),
-        );
+        let t = stress(&*exact, &materials(PAIRS[2])[body.index()], body, Point::new(0.3, -0.8));
         for (a, b) in t.into_iter().zip([-2.0, -2.0, -1.0]) {
             assert!((a - b).abs() < 1e-14);
         }
@@ -276,12 +246,7 @@ fn what_quadrature_must_know_is_declared() {
     assert!(p.singular_points().is_empty());
     let line = p.break_lines()[0];
     assert_eq!((line.a, line.b), (Point::new(s, -1.0), Point::new(s, 1.0)));
-    assert_eq!(
-        made("R", &[("alpha", 1.5)], PAIRS[0])
-            .singular_points()
-            .len(),
-        1
-    );
+    assert_eq!(made("R", &[("alpha", 1.5)], PAIRS[0]).singular_points().len(), 1);
 
     let many = made("many-switches", &[("cells", 3.0)], PAIRS[0]);
     let xs: Vec<f64> = many.switch_points().iter().map(|p| p.x).collect();

@@ -7,19 +7,8 @@ use signorini_contact::{Body, Vec2};
 
 /// Points off the contact line, away from every break line of the solutions below by more than a step.
 fn probes() -> impl Iterator<Item = (Body, Point)> {
-    let places = [
-        (0.11, 0.03),
-        (0.37, 0.21),
-        (0.45, 0.06),
-        (0.73, 0.08),
-        (0.95, 0.6),
-    ];
-    places.into_iter().flat_map(|(x, y)| {
-        [
-            (Body::First, Point::new(x, y)),
-            (Body::Second, Point::new(x, -y)),
-        ]
-    })
+    let places = [(0.11, 0.03), (0.37, 0.21), (0.45, 0.06), (0.73, 0.08), (0.95, 0.6)];
+    places.into_iter().flat_map(|(x, y)| [(Body::First, Point::new(x, y)), (Body::Second, Point::new(x, -y))])
 }
 
 #[test]
@@ -33,8 +22,7 @@ fn body_force_is_minus_the_divergence_of_the_stress() {
             let tau = |e: Vec2| stress(&*exact, material, body, at + e);
             let (right, left) = (tau(step * Vec2::x()), tau(-step * Vec2::x()));
             let (up, down) = (tau(step * Vec2::y()), tau(-step * Vec2::y()));
-            let slope =
-                |i: usize, j: usize| ((right[i] - left[i]) + (up[j] - down[j])) / (2.0 * step);
+            let slope = |i: usize, j: usize| ((right[i] - left[i]) + (up[j] - down[j])) / (2.0 * step);
             let expected = Vec2::new(-slope(0, 2), -slope(2, 1));
             let force = body_force(&*exact, material, body, at);
             let error = (force - expected).norm() / (1.0 + force.norm());
@@ -48,11 +36,7 @@ fn value_jet_and_second_jet_agree() {
     for (name, list) in ON_SQUARES {
         let exact = made(name, list, PAIRS[0]);
         for (body, at) in probes() {
-            let (value, jet, jet2) = (
-                exact.value(body, at),
-                exact.jet(body, at),
-                exact.jet2(body, at),
-            );
+            let (value, jet, jet2) = (exact.value(body, at), exact.jet(body, at), exact.jet2(body, at));
             let near = |a: f64, b: f64| (a - b).abs() <= 1e-14 * (1.0 + a.abs());
             for i in 0..2 {
                 assert!(near(value[i], jet.value[i]) && near(value[i], jet2.value[i]));
@@ -101,11 +85,7 @@ fn the_built_in_p_is_its_own_formula() {
     let written = expressions(P_AS_TEXT);
     for i in 0..40 {
         let x = (f64::from(i) + 0.3) / 40.0;
-        for (body, y) in [
-            (Body::First, 0.37),
-            (Body::Second, -0.61),
-            (Body::First, 0.0),
-        ] {
+        for (body, y) in [(Body::First, 0.37), (Body::Second, -0.61), (Body::First, 0.0)] {
             let at = Point::new(x, y);
             let difference = distance(&built.jet2(body, at), &written.jet2(body, at));
             assert!(difference < 1e-13, "{body:?} {at:?}: {difference:e}");
@@ -116,10 +96,7 @@ fn the_built_in_p_is_its_own_formula() {
 fn distance(a: &Jet2, b: &Jet2) -> f64 {
     let all = |j: &Jet2| -> Vec<f64> {
         let first = j.value.iter().chain(j.gradient.iter().flatten());
-        first
-            .chain(j.hessian.iter().flatten().flatten())
-            .copied()
-            .collect()
+        first.chain(j.hessian.iter().flatten().flatten()).copied().collect()
     };
     let pairs = all(a).into_iter().zip(all(b));
     pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)

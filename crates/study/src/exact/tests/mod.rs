@@ -10,29 +10,11 @@ use signorini_contact::{Material, Point, material::Lame};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-const SOFT: Lame = Lame {
-    lambda: 1.5,
-    mu: 1.0,
-};
-const STIFF: Lame = Lame {
-    lambda: 3.0,
-    mu: 2.0,
-};
+const SOFT: Lame = Lame { lambda: 1.5, mu: 1.0 };
+const STIFF: Lame = Lame { lambda: 3.0, mu: 2.0 };
 /// The usual pair, the same swapped, and two unrelated Poisson's ratios.
-const PAIRS: [[Lame; 2]; 3] = [
-    [SOFT, STIFF],
-    [STIFF, SOFT],
-    [
-        Lame {
-            lambda: 7.0,
-            mu: 0.4,
-        },
-        Lame {
-            lambda: 0.2,
-            mu: 1.3,
-        },
-    ],
-];
+const PAIRS: [[Lame; 2]; 3] =
+    [[SOFT, STIFF], [STIFF, SOFT], [Lame { lambda: 7.0, mu: 0.4 }, Lame { lambda: 0.2, mu: 1.3 }]];
 
 fn parameters(list: &[(&str, f64)]) -> BTreeMap<String, f64> {
     list.iter().map(|&(k, v)| (k.to_string(), v)).collect()
@@ -72,9 +54,5 @@ fn line() -> Vec<Point> {
 /// Contact polylines of the two patches.
 fn corner(patch: u32) -> Vec<Point> {
     let (left, right) = if patch == 1 { (0.2, 0.5) } else { (1.0, 1.0) };
-    vec![
-        Point::new(-1.0, left),
-        Point::new(0.0, 0.0),
-        Point::new(1.0, right),
-    ]
+    vec![Point::new(-1.0, left), Point::new(0.0, 0.0), Point::new(1.0, right)]
 }

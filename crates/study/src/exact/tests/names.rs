@@ -14,11 +14,7 @@ fn message(name: &str, list: &[(&str, f64)]) -> String {
 fn every_listed_solution_can_be_built() {
     for b in BUILT_INS {
         let alpha = parameters(&[("alpha", 1.5)]);
-        let given = if b.name == "R" {
-            alpha
-        } else {
-            BTreeMap::new()
-        };
+        let given = if b.name == "R" { alpha } else { BTreeMap::new() };
         assert!(built_in(b.name, &given, PAIRS[0]).is_ok(), "{}", b.name);
         for p in b.parameters {
             assert!(p.meaning.contains(p.name) || p.meaning.contains("exponent"));
@@ -33,22 +29,14 @@ fn mistakes_are_named_with_what_is_allowed() {
         ("tile", &[], "did you mean tiles?"),
         ("R", &[], "parameter alpha is missing; allowed: alpha"),
         ("R", &[("alhpa", 1.0)], "did you mean alpha?"),
-        (
-            "R",
-            &[("alpha", 2.0)],
-            "alpha = 2 must satisfy 0 < alpha < 2",
-        ),
+        ("R", &[("alpha", 2.0)], "alpha = 2 must satisfy 0 < alpha < 2"),
         ("R", &[("alpha", f64::NAN)], "alpha = NaN"),
         ("W", &[("alpha", 1.0)], "no parameters are allowed"),
         ("P", &[("k", 2.0)], "k = 2 must satisfy 2 < k ≤ 12"),
         ("P", &[("m", 13.0)], "1 < m ≤ 12"),
         ("many-switches", &[("cells", 2.5)], "be whole"),
         ("many-switches", &[("cells", 0.0)], "1 ≤ cells"),
-        (
-            "tiles",
-            &[("tiles", 3.0), ("smallest", 0.1)],
-            "exclude each other",
-        ),
+        ("tiles", &[("tiles", 3.0), ("smallest", 0.1)], "exclude each other"),
         ("tiles", &[("tiles", 25.0)], "1 ≤ tiles ≤ 24"),
         ("tiles", &[("smallest", 1e-9)], "≤ smallest"),
         ("tiles", &[("power", 0.5)], "0.5 < power ≤ 2"),
@@ -86,8 +74,5 @@ fn sobolev_orders_follow_the_parameters() {
 fn a_wrong_component_is_named() {
     let error = Expressions::parse([["x", "y"], ["x", "yy"]], &BTreeMap::new()).unwrap_err();
     let shown = error.to_string();
-    assert!(
-        shown.starts_with("u_2 of Ω'': unknown name `yy`"),
-        "{shown}"
-    );
+    assert!(shown.starts_with("u_2 of Ω'': unknown name `yy`"), "{shown}");
 }

@@ -30,10 +30,7 @@ fn a_gap_of_the_wrong_sign_penetrates() {
     assert_eq!(error.condition, Condition::NoPenetration);
     assert!(error.at.x > 0.4 && error.value > error.bound);
     let shown = error.to_string();
-    assert!(
-        shown.starts_with("at x = (") && shown.contains("n·(u' − u'')") && shown.contains("hint:"),
-        "{shown}"
-    );
+    assert!(shown.starts_with("at x = (") && shown.contains("n·(u' − u'')") && shown.contains("hint:"), "{shown}");
 }
 
 #[test]
@@ -43,14 +40,8 @@ fn tension_friction_and_unequal_stresses_are_told_apart() {
 
     let friction = changed("- y*(-sin(2*x)/10 +", "- y*(-sin(2*x)/10 + 0.01 +");
     let error = refused(&friction);
-    assert_eq!(
-        (error.condition, error.body),
-        (Condition::NoFriction, Some(Body::First))
-    );
-    assert!(
-        error.to_string().contains("T_t of Ω' = 1.000e-2"),
-        "{error}"
-    );
+    assert_eq!((error.condition, error.body), (Condition::NoFriction, Some(Body::First)));
+    assert!(error.to_string().contains("T_t of Ω' = 1.000e-2"), "{error}");
 
     let lame = changed("/7)", "/6.9)");
     assert_eq!(refused(&lame).condition, Condition::Reaction);
@@ -71,13 +62,7 @@ fn the_wrong_materials_are_noticed() {
 fn a_corner_patch_on_the_wrong_polyline_is_refused() {
     let second = made("corner-patch-2", &[], PAIRS[0]);
     let error = verify(&*second, &materials(PAIRS[0]), &corner(1)).unwrap_err();
-    assert!(
-        matches!(
-            error.condition,
-            Condition::NoPenetration | Condition::NoFriction
-        ),
-        "{error}"
-    );
+    assert!(matches!(error.condition, Condition::NoPenetration | Condition::NoFriction), "{error}");
 }
 
 #[test]
@@ -130,10 +115,7 @@ fn derivatives_that_do_not_belong_to_the_displacement_are_refused() {
     let spoilt = |gradient, hessian| refused(&Spoilt { gradient, hessian });
     assert_eq!(spoilt(0.1, 0.0).condition, Condition::Gradient);
     assert_eq!(spoilt(0.0, 0.1).condition, Condition::Hessian);
-    let sound = Spoilt {
-        gradient: 0.0,
-        hessian: 0.0,
-    };
+    let sound = Spoilt { gradient: 0.0, hessian: 0.0 };
     verify(&sound, &materials(PAIRS[0]), &line()).unwrap_or_else(|e| panic!("{e}"));
 }
 
@@ -150,11 +132,7 @@ impl Field for Blowing {
     }
 
     fn singular_points(&self) -> Vec<Point> {
-        let all = if self.declared {
-            vec![Point::new(0.5, 0.0)]
-        } else {
-            Vec::new()
-        };
+        let all = if self.declared { vec![Point::new(0.5, 0.0)] } else { Vec::new() };
         all
     }
 }
@@ -162,10 +140,7 @@ impl Field for Blowing {
 #[test]
 fn only_a_declared_singular_point_is_left_out() {
     // 257 midpoints: the middle one is x = 0.5 exactly.
-    assert_eq!(
-        refused(&Blowing { declared: false }).condition,
-        Condition::Finite
-    );
+    assert_eq!(refused(&Blowing { declared: false }).condition, Condition::Finite);
     let declared = Blowing { declared: true };
     let v = verify(&declared, &materials(PAIRS[0]), &line()).unwrap_or_else(|e| panic!("{e}"));
     assert_eq!(v.points, 256);

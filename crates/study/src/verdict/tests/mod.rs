@@ -9,31 +9,15 @@ mod doubt;
 mod kinds;
 mod rate;
 
-const GATE_1: Bounds = Bounds {
-    paper: Some(1.0),
-    today: Some(1.0),
-    expected: Some(1.0),
-};
+const GATE_1: Bounds = Bounds { paper: Some(1.0), today: Some(1.0), expected: Some(1.0) };
 
 /// Excludes and judges with the default gates, changed by `adjust`.
-fn judged(
-    kind: ClaimKind,
-    norm: &str,
-    mut levels: Vec<Level>,
-    bounds: Bounds,
-    adjust: impl Fn(&mut Gates),
-) -> Verdict {
+fn judged(kind: ClaimKind, norm: &str, mut levels: Vec<Level>, bounds: Bounds, adjust: impl Fn(&mut Gates)) -> Verdict {
     let mut gates = Gates::default();
     adjust(&mut gates);
     exclude_levels(&mut levels, &gates);
-    let input = JudgeInput {
-        kind,
-        norm,
-        levels: &levels,
-        bounds: &bounds,
-        gates: &gates,
-        expected_is_asymptotic: false,
-    };
+    let input =
+        JudgeInput { kind, norm, levels: &levels, bounds: &bounds, gates: &gates, expected_is_asymptotic: false };
     judge(&input)
 }
 
@@ -67,19 +51,9 @@ fn with_rates(rates: &[f64]) -> Vec<Level> {
 #[track_caller]
 fn expect(verdict: &Verdict, outcome: Outcome, word: &str) {
     assert_eq!(verdict.outcome, outcome, "{verdict:?}");
-    assert!(
-        verdict.reasons.iter().any(|r| r.contains(word)),
-        "no '{word}' in {verdict:?}"
-    );
+    assert!(verdict.reasons.iter().any(|r| r.contains(word)), "no '{word}' in {verdict:?}");
 }
 
 fn ledger(lhs: f64, b: f64, holds: Option<bool>) -> Option<Ledger> {
-    Some(Ledger {
-        lhs,
-        a: 0.5,
-        b,
-        c: 0.0,
-        delta: 1e-9,
-        holds,
-    })
+    Some(Ledger { lhs, a: 0.5, b, c: 0.0, delta: 1e-9, holds })
 }
