@@ -137,3 +137,30 @@ fn a_measured_table_is_judged_as_by_hand() {
     assert!((slope - 0.98404).abs() < 2e-5, "{slope}");
     expect(&of_kind(ClaimKind::Rate, "energy", levels), Pass, "rate 0.984");
 }
+
+/// Four settled levels whose rates drift down: the interval reaches below 0.95, the pairwise rates do not.
+#[test]
+fn pairwise_rates_alone_may_decide() {
+    let drifting = [1.058, 1.009, 0.960];
+    let low = crate::rate::fit_levels(&with_rates(&drifting), "strain")
+        .unwrap()
+        .low;
+    assert!(low < 0.95, "{low}");
+    expect(&of_rate(with_rates(&drifting)), Pass, "rate 1.009");
+    // the twin: one pair below as well
+    expect(
+        &of_rate(with_rates(&[1.038, 0.989, 0.940])),
+        Inconclusive,
+        "neither",
+    );
+}
+
+/// Eight settled levels with one pairwise rate below 0.95: the interval lies above all the same.
+#[test]
+fn the_interval_alone_may_decide() {
+    let dip = with_rates(&[1.02, 0.98, 0.945, 0.98, 1.02, 1.03, 1.03]);
+    expect(&of_rate(dip), Pass, "rate 0.996");
+    // the twin: the same dip with fewer levels to outweigh it
+    let short = with_rates(&[0.945, 0.98, 1.02]);
+    expect(&of_rate(short), Inconclusive, "neither");
+}
