@@ -7,6 +7,8 @@ use signorini_contact::material::Lame;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+type Built = Result<Arc<dyn Exact>, String>;
+
 /// A built-in solution as the documentation lists it.
 #[derive(Clone, Copy, Debug)]
 pub struct BuiltIn {
@@ -19,7 +21,7 @@ pub struct BuiltIn {
     /// Its Sobolev order in words: `u ∈ H^{s−δ}` on each body.
     pub regularity: &'static str,
     sobolev: fn(&Values) -> Option<f64>,
-    build: fn(&Values, [Lame; 2]) -> Result<Arc<dyn Exact>, String>,
+    build: fn(&Values, [Lame; 2]) -> Built,
 }
 
 /// Every built-in solution. All but the patches live on `Ω' = (0,1)×(0,1)`, `Ω'' = (0,1)×(−1,0)` with contact on `y = 0`
@@ -134,7 +136,7 @@ fn find(name: &str) -> Result<&'static BuiltIn, String> {
     })
 }
 
-fn tiles(v: &Values, lame: [Lame; 2]) -> Result<Arc<dyn Exact>, String> {
+fn tiles(v: &Values, lame: [Lame; 2]) -> Built {
     let kept = match (v.optional("tiles"), v.optional("smallest")) {
         (Some(_), Some(_)) => {
             return Err("tiles and smallest exclude each other; give one of them".to_string());

@@ -1,6 +1,7 @@
 //! Derivatives of an exact solution against differences of its own values.
 
-use super::verify::{Condition, VerifyError, demand, not_finite};
+use super::condition::{Condition, VerifyError, demand};
+use super::verify::not_finite;
 use super::{Exact, Jet2};
 use signorini_contact::geometry::{Segment, right_normal, segments};
 use signorini_contact::{Body, Point, Vec2};

@@ -48,7 +48,7 @@ impl Field for Polynomial {
         };
         let mut trace = smooth(body, x);
         if x.re() > s {
-            // w = q ± share g, g = (x−s)^k
+            // w = q + share g, g = (x−s)^k
             let slope = positive_power(x - s, self.k - 1.0);
             trace.w += slope * (x - s) * share;
             trace.slope_w += slope * (self.k * share);

@@ -9,10 +9,18 @@ pub trait Real: DualNum<Primitive = f64> + DualStruct<Real = f64> + Copy + Send 
     /// the directions in which `self` does not move: `0 · ∞` counts as 0.
     #[must_use]
     fn chain(self, f0: f64, f1: f64, f2: f64) -> Self;
+
+    /// `f(x, y)`, given `f`, its derivatives `f_x, f_y` and `f_xx, f_xy, f_yy` at the values of `x` and `y`, all finite.
+    #[must_use]
+    fn chain_plane(x: Self, y: Self, f0: f64, f1: [f64; 2], f2: [f64; 3]) -> Self;
 }
 
 impl Real for f64 {
     fn chain(self, f0: f64, _: f64, _: f64) -> Self {
+        f0
+    }
+
+    fn chain_plane(_: Self, _: Self, f0: f64, _: [f64; 2], _: [f64; 3]) -> Self {
         f0
     }
 }
@@ -23,6 +31,11 @@ impl Real for DualSVec64<2> {
         // ∂_i f = f' ∂_i x
         let eps = self.eps.0.map(|v| Vector2::new(times(v[0], f1), times(v[1], f1)));
         Self::new(f0, Derivative::new(eps))
+    }
+
+    #[inline]
+    fn chain_plane(x: Self, y: Self, f0: f64, f1: [f64; 2], _: [f64; 3]) -> Self {
+        Self::new(f0, x.eps * f1[0] + y.eps * f1[1])
     }
 }
 
@@ -35,16 +48,44 @@ impl Real for Dual2SVec64<2> {
         let first = Matrix1x2::new(times(v[0], f1), times(v[1], f1));
         // ∂_i ∂_j f = f'' ∂_i x ∂_j x + f' ∂_i ∂_j x
         let h = self.v2.0.unwrap_or_else(Matrix2::zeros);
-        let entry = |i: usize, j: usize| times(v[i] * v[j], f2) + times(h[(i, j)], f1);
-        let mixed = entry(0, 1);
-        let second = Matrix2::new(entry(0, 0), mixed, mixed, entry(1, 1));
+        let entry = |vv: f64, h: f64| times(vv, f2) + times(h, f1);
+        let mixed = entry(v[0] * v[1], h[2]);
+        let second = Matrix2::new(
+            entry(v[0] * v[0], h[0]),
+            mixed,
+            mixed,
+            entry(v[1] * v[1], h[3]),
+        );
         Self::new(f0, Derivative::some(first), Derivative::some(second))
+    }
+
+    #[inline]
+    fn chain_plane(x: Self, y: Self, f0: f64, f1: [f64; 2], f2: [f64; 3]) -> Self {
+        let a = x.v1.0.unwrap_or_else(Matrix1x2::zeros);
+        let b = y.v1.0.unwrap_or_else(Matrix1x2::zeros);
+        // ∂_i ∂_j f = f_xx a_i a_j + f_xy (a_i b_j + b_i a_j) + f_yy b_i b_j + f_x ∂_i ∂_j x + f_y ∂_i ∂_j y
+        let bend = |i: usize, j: usize| {
+            f2[0] * a[i] * a[j] + f2[1] * (a[i] * b[j] + b[i] * a[j]) + f2[2] * b[i] * b[j]
+        };
+        let mixed = bend(0, 1);
+        let second = Matrix2::new(bend(0, 0), mixed, mixed, bend(1, 1));
+        Self::new(
+            f0,
+            x.v1 * f1[0] + y.v1 * f1[1],
+            Derivative::some(second) + x.v2 * f1[0] + y.v2 * f1[1],
+        )
     }
 }
 
+/// `a f`, but 0 for `a = 0` whatever `f` is.
 #[inline]
 fn times(a: f64, f: f64) -> f64 {
-    if a == 0.0 { 0.0 } else { a * f }
+    let product = a * f;
+    if product.is_nan() && a == 0.0 {
+        0.0
+    } else {
+        product
+    }
 }
 
 /// `√x`; at 0 the derivatives are infinite.
@@ -144,6 +185,26 @@ mod tests {
         }
         assert_eq!(parts(power(variable(-2.0), 3.0)), (-8.0, 12.0, -12.0), "whole exponents take a negative base");
         assert!(power(-2.0, 0.5).is_nan());
+    }
+
+    /// Against products of the number type itself, for curved `x`, `y`.
+    #[test]
+    fn a_function_of_two_numbers_has_the_chain_rule() {
+        let s = Dual2SVec64::<2>::from_re(0.7).derivative(0);
+        let t = Dual2SVec64::<2>::from_re(-1.3).derivative(1);
+        let (x, y) = (s * t, t * t + s);
+        let (a, b) = (x.re, y.re);
+        let expected = x * x * y;
+        let got = Dual2SVec64::chain_plane(
+            x,
+            y,
+            a * a * b,
+            [2.0 * a * b, a * a],
+            [2.0 * b, 2.0 * a, 0.0],
+        );
+        assert!((got.re - expected.re).abs() < 1e-15);
+        assert!((got.v1.0.unwrap() - expected.v1.0.unwrap()).norm() < 1e-14);
+        assert!((got.v2.0.unwrap() - expected.v2.0.unwrap()).norm() < 1e-13);
     }
 
     #[test]

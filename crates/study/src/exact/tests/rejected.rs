@@ -132,8 +132,11 @@ impl Field for Blowing {
     }
 
     fn singular_points(&self) -> Vec<Point> {
-        let all = if self.declared { vec![Point::new(0.5, 0.0)] } else { Vec::new() };
-        all
+        if self.declared {
+            vec![Point::new(0.5, 0.0)]
+        } else {
+            Vec::new()
+        }
     }
 }
 
