@@ -43,11 +43,9 @@ impl Condition {
     /// The quantity in words and letters, what it must be, and where to look.
     fn words(self) -> (&'static str, &'static str, &'static str) {
         match self {
-            Self::Finite => (
-                "value or derivative",
-                "must be finite",
-                "declare the point as singular, or mend the expression there",
-            ),
+            Self::Finite => {
+                ("value or derivative", "must be finite", "declare the point as singular, or mend the expression there")
+            }
             Self::NoPenetration => (
                 "jump n·(u' − u'')",
                 "must not exceed 0",
@@ -68,11 +66,9 @@ impl Condition {
                 "must be 0",
                 "the paper has no friction; the shear stress on the contact zone must vanish in each body",
             ),
-            Self::Complementarity => (
-                "product T_n n·(u' − u'')",
-                "must be 0",
-                "pressure acts across an open gap; their supports overlap",
-            ),
+            Self::Complementarity => {
+                ("product T_n n·(u' − u'')", "must be 0", "pressure acts across an open gap; their supports overlap")
+            }
             Self::Gradient => (
                 "difference of ∇u and the slope of u",
                 "must be 0",
@@ -117,11 +113,5 @@ pub(super) fn demand(
     if holds {
         return Ok(());
     }
-    Err(VerifyError {
-        condition,
-        body,
-        at,
-        value,
-        bound,
-    })
+    Err(VerifyError { condition, body, at, value, bound })
 }

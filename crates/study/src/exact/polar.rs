@@ -26,10 +26,7 @@ impl<D: Real> Polar<D> {
         let half = 0.5 / self.r.re();
         let (a, b) = (p * half, -q * half);
         let (x, y) = (half * self.x.re(), half * self.y.re());
-        let (c, d) = (
-            -(a * x + b * y) / self.r.re(),
-            -(b * x - a * y) / self.r.re(),
-        );
+        let (c, d) = (-(a * x + b * y) / self.r.re(), -(b * x - a * y) / self.r.re());
         // ∂_x f = f', ∂_y f = i f', ∂_yy f = −f''
         let real = D::chain_plane(self.x, self.y, p, [a, -b], [c, -d, -c]);
         let imaginary = D::chain_plane(self.x, self.y, q, [b, a], [d, c, -d]);

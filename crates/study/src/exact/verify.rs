@@ -49,12 +49,8 @@ pub fn verify(exact: &dyn Exact, materials: &[Material; 2], contact: &[Point]) -
     let samples = sampled(exact, materials, contact)?;
     let result = measured(&samples);
     let checks: [Check; 5] = [
-        (Condition::NoPenetration, result.displacement, |s| {
-            (None, s.jump)
-        }),
-        (Condition::Reaction, result.stress, |s| {
-            (None, (s.normal[0] - s.normal[1]).abs())
-        }),
+        (Condition::NoPenetration, result.displacement, |s| (None, s.jump)),
+        (Condition::Reaction, result.stress, |s| (None, (s.normal[0] - s.normal[1]).abs())),
         (Condition::NoTension, result.stress, Sample::tension),
         (Condition::NoFriction, result.stress, Sample::friction),
         (Condition::Complementarity, result.stress * result.displacement, |s| (None, s.work())),

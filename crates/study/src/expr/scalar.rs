@@ -50,12 +50,7 @@ impl Real for Dual2SVec64<2> {
         let h = self.v2.0.unwrap_or_else(Matrix2::zeros);
         let entry = |vv: f64, h: f64| times(vv, f2) + times(h, f1);
         let mixed = entry(v[0] * v[1], h[2]);
-        let second = Matrix2::new(
-            entry(v[0] * v[0], h[0]),
-            mixed,
-            mixed,
-            entry(v[1] * v[1], h[3]),
-        );
+        let second = Matrix2::new(entry(v[0] * v[0], h[0]), mixed, mixed, entry(v[1] * v[1], h[3]));
         Self::new(f0, Derivative::some(first), Derivative::some(second))
     }
 
@@ -64,16 +59,10 @@ impl Real for Dual2SVec64<2> {
         let a = x.v1.0.unwrap_or_else(Matrix1x2::zeros);
         let b = y.v1.0.unwrap_or_else(Matrix1x2::zeros);
         // ∂_i ∂_j f = f_xx a_i a_j + f_xy (a_i b_j + b_i a_j) + f_yy b_i b_j + f_x ∂_i ∂_j x + f_y ∂_i ∂_j y
-        let bend = |i: usize, j: usize| {
-            f2[0] * a[i] * a[j] + f2[1] * (a[i] * b[j] + b[i] * a[j]) + f2[2] * b[i] * b[j]
-        };
+        let bend = |i: usize, j: usize| f2[0] * a[i] * a[j] + f2[1] * (a[i] * b[j] + b[i] * a[j]) + f2[2] * b[i] * b[j];
         let mixed = bend(0, 1);
         let second = Matrix2::new(bend(0, 0), mixed, mixed, bend(1, 1));
-        Self::new(
-            f0,
-            x.v1 * f1[0] + y.v1 * f1[1],
-            Derivative::some(second) + x.v2 * f1[0] + y.v2 * f1[1],
-        )
+        Self::new(f0, x.v1 * f1[0] + y.v1 * f1[1], Derivative::some(second) + x.v2 * f1[0] + y.v2 * f1[1])
     }
 }
 
@@ -81,11 +70,7 @@ impl Real for Dual2SVec64<2> {
 #[inline]
 fn times(a: f64, f: f64) -> f64 {
     let product = a * f;
-    if product.is_nan() && a == 0.0 {
-        0.0
-    } else {
-        product
-    }
+    if product.is_nan() && a == 0.0 { 0.0 } else { product }
 }
 
 /// `√x`; at 0 the derivatives are infinite.
@@ -195,13 +180,7 @@ mod tests {
         let (x, y) = (s * t, t * t + s);
         let (a, b) = (x.re, y.re);
         let expected = x * x * y;
-        let got = Dual2SVec64::chain_plane(
-            x,
-            y,
-            a * a * b,
-            [2.0 * a * b, a * a],
-            [2.0 * b, 2.0 * a, 0.0],
-        );
+        let got = Dual2SVec64::chain_plane(x, y, a * a * b, [2.0 * a * b, a * a], [2.0 * b, 2.0 * a, 0.0]);
         assert!((got.re - expected.re).abs() < 1e-15);
         assert!((got.v1.0.unwrap() - expected.v1.0.unwrap()).norm() < 1e-14);
         assert!((got.v2.0.unwrap() - expected.v2.0.unwrap()).norm() < 1e-13);

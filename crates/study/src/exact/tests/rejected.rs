@@ -132,11 +132,7 @@ impl Field for Blowing {
     }
 
     fn singular_points(&self) -> Vec<Point> {
-        if self.declared {
-            vec![Point::new(0.5, 0.0)]
-        } else {
-            Vec::new()
-        }
+        if self.declared { vec![Point::new(0.5, 0.0)] } else { Vec::new() }
     }
 }
 

@@ -23,9 +23,7 @@ impl Parser<'_> {
 
     fn unknown_name(&self, name: &str) -> ExprError {
         if FUNCTIONS.iter().any(|(f, _)| *f == name) {
-            return self.wrong(format!(
-                "`{name}` is a function; its arguments follow in parentheses"
-            ));
+            return self.wrong(format!("`{name}` is a function; its arguments follow in parentheses"));
         }
         if matches!(name, "and" | "or" | "not") {
             return self.wrong(format!("`{name}` stands where a number is expected"));
@@ -35,21 +33,13 @@ impl Parser<'_> {
             Some(meant) => format!("did you mean `{meant}`? "),
             None => String::new(),
         };
-        self.wrong(format!(
-            "unknown name `{name}`; {hint}known here: {}",
-            known.join(", ")
-        ))
+        self.wrong(format!("unknown name `{name}`; {hint}known here: {}", known.join(", ")))
     }
 
     fn known_names(&self) -> Vec<&str> {
         let parameters = self.parameters.keys().map(String::as_str);
         let constants = CONSTANTS.iter().map(|(n, _)| *n);
-        self.variables
-            .iter()
-            .copied()
-            .chain(parameters)
-            .chain(constants)
-            .collect()
+        self.variables.iter().copied().chain(parameters).chain(constants).collect()
     }
 
     pub(super) fn call(&mut self, name: &str) -> Parsed<Item> {
@@ -63,23 +53,16 @@ impl Parser<'_> {
         let arguments = self.nested(|p| p.arguments(open))?;
         let (fewest, most) = callable.arity();
         if arguments.len() < fewest || arguments.len() > most {
-            return Err(self.wrong_at(
-                start,
-                format!(
-                    "`{name}` takes {}, found {}",
-                    wanted(fewest, most),
-                    arguments.len()
-                ),
-            ));
+            return Err(
+                self.wrong_at(start, format!("`{name}` takes {}, found {}", wanted(fewest, most), arguments.len()))
+            );
         }
         self.apply(callable, arguments)
     }
 
     fn unknown_function(&self, name: &str) -> ExprError {
         if self.known_names().contains(&name) {
-            return self.wrong(format!(
-                "`{name}` is not a function; to multiply write `{name}*(…)`"
-            ));
+            return self.wrong(format!("`{name}` is not a function; to multiply write `{name}*(…)`"));
         }
         let names = FUNCTIONS.iter().map(|(f, _)| *f);
         let hint = match nearest(name, names.clone()) {
@@ -87,10 +70,7 @@ impl Parser<'_> {
             None => String::new(),
         };
         let list: Vec<&str> = names.collect();
-        self.wrong(format!(
-            "unknown function `{name}`; {hint}known: {}",
-            list.join(", ")
-        ))
+        self.wrong(format!("unknown function `{name}`; {hint}known: {}", list.join(", ")))
     }
 
     /// The arguments up to and with the closing parenthesis, each with its column.
@@ -119,9 +99,7 @@ impl Parser<'_> {
         {
             condition = Some(self.truth_of(item, column)?);
         }
-        let numbers = arguments
-            .map(|(item, column)| self.number_of(item, column))
-            .collect::<Parsed<Vec<Node>>>()?;
+        let numbers = arguments.map(|(item, column)| self.number_of(item, column)).collect::<Parsed<Vec<Node>>>()?;
         Ok(Item::Number(applied(callable, condition, numbers)))
     }
 }

@@ -142,17 +142,11 @@ fn a_measured_table_is_judged_as_by_hand() {
 #[test]
 fn pairwise_rates_alone_may_decide() {
     let drifting = [1.058, 1.009, 0.960];
-    let low = crate::rate::fit_levels(&with_rates(&drifting), "strain")
-        .unwrap()
-        .low;
+    let low = crate::rate::fit_levels(&with_rates(&drifting), "strain").unwrap().low;
     assert!(low < 0.95, "{low}");
     expect(&of_rate(with_rates(&drifting)), Pass, "rate 1.009");
     // the twin: one pair below as well
-    expect(
-        &of_rate(with_rates(&[1.038, 0.989, 0.940])),
-        Inconclusive,
-        "neither",
-    );
+    expect(&of_rate(with_rates(&[1.038, 0.989, 0.940])), Inconclusive, "neither");
 }
 
 /// Eight settled levels with one pairwise rate below 0.95: the interval lies above all the same.
