@@ -33,16 +33,16 @@ impl Cubature {
 
     /// Calls `visit(point, weight)` at the quadrature points of a triangle. Exact for polynomials of degree 5.
     pub fn triangle(&self, corners: [Point; 3], visit: &mut impl FnMut(Point, f64)) {
-        let box_of = bounding_box(&corners);
-        let mut cuts = self.breaks.iter().filter(|cut| boxes_meet(box_of, bounding_box(&[cut.a, cut.b]))).peekable();
-        if cuts.peek().is_none() {
-            return self.graded_triangle(corners, visit);
+        self.pieces(corners, &mut |piece| split_triangle(piece, self.depth, &mut |t| seven_points(t, visit)));
+    }
+
+    /// Calls `visit(piece)` for the pieces of a triangle on which one rule may be used: leaves, cut at the breaks.
+    pub fn pieces(&self, corners: [Point; 3], visit: &mut impl FnMut([Point; 3])) {
+        if self.is_leaf(diameter(&corners), TRIANGLE_FLOOR, |p| distance_to_triangle(p, &corners)) {
+            self.cut_leaf(corners, visit);
+        } else {
+            quarter(corners).into_iter().for_each(|child| self.pieces(child, visit));
         }
-        let mut pieces = vec![corners];
-        for cut in cuts {
-            pieces = pieces.into_iter().flat_map(|t| cut_triangle(t, cut)).collect();
-        }
-        pieces.into_iter().for_each(|t| self.graded_triangle(t, visit));
     }
 
     /// Calls `visit(point, weight)` at the quadrature points of the side `a b`. Exact for polynomials of degree 9.
@@ -59,12 +59,19 @@ impl Cubature {
         }
     }
 
-    fn graded_triangle(&self, t: [Point; 3], visit: &mut impl FnMut(Point, f64)) {
-        if self.is_leaf(diameter(&t), TRIANGLE_FLOOR, |p| distance_to_triangle(p, &t)) {
-            split_triangle(t, self.depth, &mut |leaf| seven_points(leaf, visit));
-        } else {
-            quarter(t).into_iter().for_each(|child| self.graded_triangle(child, visit));
+    /// Cuts a leaf at the breaks that cross it. Leaves are cut, not triangles: a long sliver would be graded into far too
+    /// many pieces.
+    fn cut_leaf(&self, leaf: [Point; 3], visit: &mut impl FnMut([Point; 3])) {
+        let own = bounding_box(&leaf);
+        let mut cuts = self.breaks.iter().filter(|cut| boxes_meet(own, bounding_box(&[cut.a, cut.b]))).peekable();
+        if cuts.peek().is_none() {
+            return visit(leaf);
         }
+        let mut pieces = vec![leaf];
+        for cut in cuts {
+            pieces = pieces.into_iter().flat_map(|t| cut_triangle(t, cut)).collect();
+        }
+        pieces.into_iter().for_each(visit);
     }
 
     fn graded_side(&self, a: Point, b: Point, visit: &mut impl FnMut(Point, f64)) {
@@ -88,7 +95,7 @@ impl Cubature {
 }
 
 /// The 7-point rule of degree 5 (Radon 1948): the centroid and two orbits at `(6 ∓ √15)/21`.
-fn seven_points(t: [Point; 3], visit: &mut impl FnMut(Point, f64)) {
+pub fn seven_points(t: [Point; 3], visit: &mut impl FnMut(Point, f64)) {
     let area = 0.5 * twice_area(t[0], t[1], t[2]).abs();
     let centroid = (t[0] + t[1] + t[2]) / 3.0;
     visit(centroid, 9.0 / 40.0 * area);
@@ -121,7 +128,8 @@ fn split_triangle(t: [Point; 3], depth: u32, visit: &mut impl FnMut([Point; 3]))
     }
 }
 
-fn quarter([a, b, c]: [Point; 3]) -> [[Point; 3]; 4] {
+/// The four triangles of red refinement.
+pub fn quarter([a, b, c]: [Point; 3]) -> [[Point; 3]; 4] {
     let (ab, bc, ca) = (0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a));
     [[a, ab, ca], [ab, b, bc], [ca, bc, c], [bc, ca, ab]]
 }

@@ -10,16 +10,17 @@
 //! error norm. Both parts are of the size of the error: nothing cancels.
 
 use crate::exact::derived;
-use crate::study::{ExactScene, PartCondition, Scene};
+use crate::study::{ExactScene, PartCondition, Scene, VectorField};
 use rayon::prelude::*;
 use signorini_contact::element::{displacement_gradient, gradients, hats};
-use signorini_contact::geometry::right_normal;
+use signorini_contact::geometry::{right_normal, twice_area};
 use signorini_contact::material::{Material, contract, strain};
 use signorini_contact::mesh::Mesh;
 use signorini_contact::norm::Squares;
-use signorini_contact::quadrature::Cubature;
+use signorini_contact::quadrature::{Cubature, quarter, seven_points};
 use signorini_contact::sum::ordered_sum;
-use signorini_contact::{Vec2, zone::Zone};
+use signorini_contact::{Body, Vec2, zone::Zone};
+use std::ops::AddAssign;
 
 /// What one triangle contributes.
 #[derive(Clone, Copy, Default)]
@@ -38,6 +39,15 @@ struct Element {
     solution: Squares,
 }
 
+/// Share of the interpolation error's square that one more refinement of the quadrature may change.
+const ACCURACY: f64 = 2.5e-7;
+
+/// Share of the interpolation error, in the energy norm, that the loads may change by under one more refinement.
+const LOAD_ACCURACY: f64 = 1e-4;
+
+/// A piece of an element is not split more often than this.
+const DEEPEST: u32 = 6;
+
 /// Integrals of the exact solution over a mesh with one quadrature.
 pub struct Integrals {
     elements: Vec<Element>,
@@ -55,18 +65,43 @@ pub struct Integrals {
     reactions: Vec<([u32; 2], [Vec2; 2], f64)>,
 }
 
+/// The same integrals by two quadratures, the second one refinement finer on every element.
+pub struct Pair {
+    /// The coarser one: what the quadrature error is measured against.
+    pub base: Integrals,
+    /// The finer one: what is used.
+    pub fine: Integrals,
+}
+
+impl Pair {
+    /// Integrates on every element, splitting pieces where one more refinement still changes the result by more than its
+    /// share. `u_I` are the nodal values of `u`. With `fixed` nothing is graded, cut or split: one rule for all elements.
+    pub fn new(scene: &Scene, exact: &ExactScene, mesh: &Mesh, zone: &Zone, interpolant: &[Vec2], fixed: bool) -> Self {
+        let cubature = scene.cubature(0, fixed);
+        let element = |t: usize| ElementIntegrand::new(scene, exact, mesh, interpolant, t);
+        let rough = |t: usize| element(t).once(&cubature).interpolation.energy;
+        let mean = ordered_sum(mesh.triangles.len(), rough) / mesh.triangles.len() as f64;
+        let deepest = if fixed { 0 } else { DEEPEST };
+        let pair = |t: usize| element(t).adaptively(&cubature, mean, deepest);
+        let pairs: Vec<[Element; 2]> = (0..mesh.triangles.len()).into_par_iter().with_min_len(16).map(pair).collect();
+        let collect = |k: usize| {
+            let elements = pairs.iter().map(|pair| pair[k]).collect();
+            Integrals::new(scene, exact, mesh, zone, elements, &scene.cubature(k as u32, fixed))
+        };
+        Self { base: collect(0), fine: collect(1) }
+    }
+}
+
 impl Integrals {
-    /// One pass over the mesh. `u_I` are the nodal values of `u`.
-    pub fn new(
+    /// Sums up the elements and adds the boundary.
+    fn new(
         scene: &Scene,
         exact: &ExactScene,
         mesh: &Mesh,
         zone: &Zone,
-        interpolant: &[Vec2],
+        elements: Vec<Element>,
         cubature: &Cubature,
     ) -> Self {
-        let element = |t: usize| Element::new(scene, exact, mesh, interpolant, cubature, t);
-        let elements: Vec<Element> = (0..mesh.triangles.len()).into_par_iter().with_min_len(32).map(element).collect();
         let solution = ordered_sum(elements.len(), |t| elements[t].solution);
         let interpolation = ordered_sum(elements.len(), |t| elements[t].interpolation);
         let body_work = ordered_sum(elements.len(), |t| elements[t].work);
@@ -139,44 +174,113 @@ impl Integrals {
     }
 }
 
-impl Element {
-    fn new(
-        scene: &Scene,
-        exact: &ExactScene,
-        mesh: &Mesh,
-        interpolant: &[Vec2],
-        cubature: &Cubature,
-        t: usize,
-    ) -> Self {
+/// Everything that is integrated over one element.
+struct ElementIntegrand<'a> {
+    exact: &'a ExactScene,
+    body: Body,
+    material: &'a Material,
+    given_force: Option<&'a VectorField>,
+    corners: [Vec2; 3],
+    nodal: [Vec2; 3],
+    linear: [[f64; 2]; 2],
+}
+
+impl<'a> ElementIntegrand<'a> {
+    fn new(scene: &'a Scene, exact: &'a ExactScene, mesh: &Mesh, interpolant: &[Vec2], t: usize) -> Self {
         let (body, corners) = (mesh.body(t), mesh.corners(t));
-        let (material, own) = (&scene.materials[body.index()], &exact.materials[body.index()]);
-        let given = scene.body_force[body.index()].as_ref();
-        let (g, _) = gradients(corners);
         let nodal = mesh.triangles[t].map(|i| interpolant[i as usize]);
-        let linear = displacement_gradient(&g, nodal);
-        let mut sums = Self::default();
-        cubature.triangle(corners, &mut |x, weight| {
-            let jet = exact.solution.jet2(body, x);
-            let force = given.map_or_else(|| derived::body_force_of(&jet, own), |f| f(x, Vec2::zeros()));
-            let hat = hats(corners, x);
-            let u_i: Vec2 = (0..3).map(|k| hat[k] * nodal[k]).sum();
-            let w = jet.value - u_i;
-            let grad_w: [[f64; 2]; 2] =
-                std::array::from_fn(|i| std::array::from_fn(|j| jet.gradient[i][j] - linear[i][j]));
-            for i in 0..2 {
-                (0..2).for_each(|j| sums.mean[i][j] += weight * grad_w[i][j]);
-            }
-            for k in 0..3 {
-                sums.moments[k] += weight * hat[k] * w;
-                sums.load[k] += weight * hat[k] * force;
-            }
-            sums.work += weight * force.dot(&jet.value);
-            sums.interpolation.add(body, material, weight, w, grad_w);
-            sums.solution.add(body, material, weight, jet.value, jet.gradient);
-        });
+        let linear = displacement_gradient(&gradients(corners).0, nodal);
+        let given_force = scene.body_force[body.index()].as_ref();
+        Self { exact, body, material: &scene.materials[body.index()], given_force, corners, nodal, linear }
+    }
+
+    /// The rule on every piece, without splitting.
+    fn once(&self, cubature: &Cubature) -> Element {
+        let mut sums = Element::default();
+        cubature.pieces(self.corners, &mut |piece| self.add_piece(piece, &mut sums));
         sums
     }
 
+    /// By the rule on pieces and on their quarters; pieces where the two differ too much are split.
+    fn adaptively(&self, cubature: &Cubature, mean: f64, deepest: u32) -> [Element; 2] {
+        let mut pair = [Element::default(); 2];
+        let share = mean / triangle_area(self.corners);
+        cubature.pieces(self.corners, &mut |piece| {
+            let mut coarse = Element::default();
+            self.add_piece(piece, &mut coarse);
+            self.split(piece, &coarse, share, deepest, &mut pair);
+        });
+        pair
+    }
+
+    fn split(&self, piece: [Vec2; 3], coarse: &Element, share: f64, deepest: u32, pair: &mut [Element; 2]) {
+        let quarters = quarter(piece);
+        let parts = quarters.map(|q| {
+            let mut sums = Element::default();
+            self.add_piece(q, &mut sums);
+            sums
+        });
+        let mut fine = Element::default();
+        parts.iter().for_each(|p| fine += *p);
+        if deepest > 0 && self.is_rough(coarse, &fine, share * triangle_area(piece)) {
+            quarters.iter().zip(&parts).for_each(|(q, p)| self.split(*q, p, share, deepest - 1, pair));
+        } else {
+            pair[0] += *coarse;
+            pair[1] += fine;
+        }
+    }
+
+    /// Whether one refinement still changed the interpolation error or the loads by more than their shares.
+    fn is_rough(&self, coarse: &Element, fine: &Element, share: f64) -> bool {
+        let whole = fine.interpolation.energy + share;
+        let change = (coarse.interpolation.energy - fine.interpolation.energy).abs();
+        let load: f64 = coarse.load.iter().zip(&fine.load).map(|(b, f)| (b - f).norm_squared()).sum();
+        change > ACCURACY * whole || load / self.material.matrix()[0][0] > LOAD_ACCURACY * LOAD_ACCURACY * whole
+    }
+
+    fn add_piece(&self, piece: [Vec2; 3], sums: &mut Element) {
+        seven_points(piece, &mut |x, weight| self.add_point(x, weight, sums));
+    }
+
+    fn add_point(&self, x: Vec2, weight: f64, sums: &mut Element) {
+        let jet = self.exact.solution.jet2(self.body, x);
+        let derive = || derived::body_force_of(&jet, &self.exact.materials[self.body.index()]);
+        let force = self.given_force.map_or_else(derive, |f| f(x, Vec2::zeros()));
+        let hat = hats(self.corners, x);
+        let u_i: Vec2 = (0..3).map(|k| hat[k] * self.nodal[k]).sum();
+        let w = jet.value - u_i;
+        let grad_w = std::array::from_fn(|i| std::array::from_fn(|j| jet.gradient[i][j] - self.linear[i][j]));
+        add_scaled(&mut sums.mean, weight, &grad_w);
+        for k in 0..3 {
+            sums.moments[k] += weight * hat[k] * w;
+            sums.load[k] += weight * hat[k] * force;
+        }
+        sums.work += weight * force.dot(&jet.value);
+        sums.interpolation.add(self.body, self.material, weight, w, grad_w);
+        sums.solution.add(self.body, self.material, weight, jet.value, jet.gradient);
+    }
+}
+
+fn add_scaled(sum: &mut [[f64; 2]; 2], factor: f64, by: &[[f64; 2]; 2]) {
+    sum.iter_mut().flatten().zip(by.iter().flatten()).for_each(|(s, b)| *s += factor * b);
+}
+
+fn triangle_area([a, b, c]: [Vec2; 3]) -> f64 {
+    0.5 * twice_area(a, b, c).abs()
+}
+
+impl AddAssign for Element {
+    fn add_assign(&mut self, other: Self) {
+        add_scaled(&mut self.mean, 1.0, &other.mean);
+        (0..3).for_each(|k| self.moments[k] += other.moments[k]);
+        (0..3).for_each(|k| self.load[k] += other.load[k]);
+        self.work += other.work;
+        self.interpolation += other.interpolation;
+        self.solution += other.solution;
+    }
+}
+
+impl Element {
     fn error(&self, mesh: &Mesh, material: &Material, t: usize, d: [Vec2; 3]) -> Squares {
         let body = mesh.body(t);
         let (g, area) = gradients(mesh.corners(t));

@@ -5,7 +5,7 @@ use super::timing::{LevelTimes, Stopwatch};
 use crate::error::RunError;
 use crate::family::{self, Level as MeshLevel};
 use crate::record::{Budget, Errors, Kkt, Ledger, Level, SolverRecord};
-use crate::reference::exact::Integrals;
+use crate::reference::exact::{Integrals, Pair};
 use crate::reference::overkill::Overkill;
 use crate::study::{Case, ExactScene};
 use signorini_contact::mesh::Mesh;
@@ -16,12 +16,6 @@ use signorini_contact::quadrature::Cubature;
 use signorini_contact::solver::{self, Settings};
 use signorini_contact::zone::{Zone, side_length};
 use signorini_contact::{Vec2, assembly};
-
-/// Share of the left side of the ledger below which quadrature is driven.
-const LEDGER_ACCURACY: f64 = 1e-6;
-
-/// A finer quadrature is not tried beyond this many leaves of uniform splitting.
-const MOST_LEAVES: usize = 300_000;
 
 /// Below this share of `A(u,u)` a squared error is rounding, and a relative difference of it means nothing.
 const ROUNDING: f64 = 1e-12;
@@ -66,7 +60,9 @@ impl Task<'_> {
         let interpolant: Vec<Vec2> =
             mesh.points.iter().zip(&mesh.node_bodies).map(|(x, body)| exact.solution.value(*body, *x)).collect();
         let zone = Zone::new(mesh);
-        let (base, fine, cubature) = self.integrals(exact, mesh, &zone, &interpolant);
+        let fixed = self.case.fixed_quadrature;
+        let Pair { base, fine } = Pair::new(&self.case.scene, exact, mesh, &zone, &interpolant, fixed);
+        let cubature = self.case.scene.cubature(1, fixed);
         let supports = self.case.scene.supports();
         let problem = self.problem(mesh, &supports, &cubature);
         let discrete = problem.discretise_with(fine.load.clone())?;
@@ -162,31 +158,6 @@ impl Task<'_> {
         let solution = discrete.recover(problem.mesh, &problem.materials, raw);
         let state = ContactState::new(problem.mesh, &discrete, &solution);
         Solved { discrete, solution, state }
-    }
-
-    /// Two quadratures of the exact solution, the second one refinement finer, refined until the interpolation error
-    /// changes by less than the ledger's accuracy or the leaves run out.
-    fn integrals(
-        &self,
-        exact: &ExactScene,
-        mesh: &Mesh,
-        zone: &Zone,
-        interpolant: &[Vec2],
-    ) -> (Integrals, Integrals, Cubature) {
-        let scene = &self.case.scene;
-        let at = |depth| {
-            Integrals::new(scene, exact, mesh, zone, interpolant, &scene.cubature(depth, self.case.fixed_quadrature))
-        };
-        let (mut base, mut fine, mut depth) = (at(0), at(1), 1);
-        let rough = |a: &Integrals, b: &Integrals| {
-            (a.interpolation.energy - b.interpolation.energy).abs() > LEDGER_ACCURACY * b.interpolation.energy
-        };
-        let may_refine = |depth: u32| mesh.triangles.len() << (2 * (depth + 1)) <= MOST_LEAVES;
-        while !self.case.fixed_quadrature && rough(&base, &fine) && may_refine(depth) {
-            depth += 1;
-            base = std::mem::replace(&mut fine, at(depth));
-        }
-        (base, fine, scene.cubature(depth, self.case.fixed_quadrature))
     }
 
     /// The part of a record that needs no reference.
