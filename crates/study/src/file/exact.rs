@@ -1,12 +1,11 @@
 //! The exact solution of a study file: built in by name, or by expressions.
 
 use super::error::{Fault, refuse};
-use super::field::{INSIDE, components};
-use super::formula::Formula;
-use super::raw::{RawExact, RawLame};
+use super::field::{INSIDE, expression_fault};
+use super::raw::{RawExact, RawField, RawLame};
 use super::shape::point;
 use super::words::suggestion;
-use crate::exact::{self, Exact};
+use crate::exact::{self, Exact, Expressions};
 use crate::study::ExactScene;
 use signorini_contact::Material;
 use signorini_contact::geometry::Segment;
@@ -32,12 +31,7 @@ pub fn exact(
     };
     let solution: Arc<dyn Exact> = match (&e.builtin, &e.first, &e.second) {
         (Some(name), None, None) => built_in(name, e, &materials, parameters)?,
-        (None, Some(first), Some(second)) => Arc::new(Formula {
-            displacement: [components(first, &INSIDE, parameters)?, components(second, &INSIDE, parameters)?],
-            singular: e.singular.iter().map(point).collect(),
-            breaks: e.breaks.iter().map(|[a, b]| Segment { a: point(a), b: point(b) }).collect(),
-            switches: e.switches.iter().map(point).collect(),
-        }),
+        (None, Some(first), Some(second)) => Arc::new(expressions(e, [first, second], parameters)?),
         _ => {
             let message = "[exact] needs either `builtin`, or `first` and `second`";
             return refuse(raw.span(), message, "name a built-in solution, or give the displacement of both bodies");
@@ -55,6 +49,22 @@ fn planted(raw: &Spanned<[RawLame; 2]>) -> Result<[Material; 2], Fault> {
     Ok([law(first)?, law(second)?])
 }
 
+fn expressions(
+    raw: &RawExact,
+    displacement: [&RawField; 2],
+    parameters: &BTreeMap<String, f64>,
+) -> Result<Expressions, Fault> {
+    let texts = displacement.map(|u| u.each_ref().map(|component| component.get_ref().as_str()));
+    let mut solution = Expressions::parse(texts, parameters).map_err(|e| {
+        let culprit = &displacement[e.body.index()][e.component];
+        expression_fault(culprit, &e.source, &INSIDE, parameters)
+    })?;
+    solution.singular_points = raw.singular.iter().map(point).collect();
+    solution.break_lines = raw.breaks.iter().map(|[a, b]| Segment { a: point(a), b: point(b) }).collect();
+    solution.switch_points = raw.switches.iter().map(point).collect();
+    Ok(solution)
+}
+
 fn built_in(
     name: &Spanned<String>,
     raw: &RawExact,
@@ -62,9 +72,10 @@ fn built_in(
     parameters: &BTreeMap<String, f64>,
 ) -> Result<Arc<dyn Exact>, Fault> {
     let word = name.get_ref();
-    if !exact::BUILT_IN.contains(&word.as_str()) {
+    let names: Vec<&str> = exact::BUILT_INS.iter().map(|b| b.name).collect();
+    if !names.contains(&word.as_str()) {
         let message = format!("no built-in exact solution `{word}`");
-        return refuse(name.span(), message, suggestion(word, &exact::BUILT_IN));
+        return refuse(name.span(), message, suggestion(word, &names));
     }
     if !(raw.singular.is_empty() && raw.breaks.is_empty() && raw.switches.is_empty()) {
         let message = format!("`{word}` knows its own singular points, break lines and switch points");

@@ -2,7 +2,7 @@
 
 use super::error::Fault;
 use super::raw::RawField;
-use crate::expr::Expression;
+use crate::expr::{ExprError, Expression};
 use crate::study::VectorField;
 use signorini_contact::{Point, Vec2};
 use std::collections::BTreeMap;
@@ -14,22 +14,14 @@ pub const INSIDE: [&str; 2] = ["x", "y"];
 /// Variables on the boundary: the point and the outward normal of the body.
 pub const BOUNDARY: [&str; 4] = ["x", "y", "nx", "ny"];
 
-/// Both components in the given variables.
-pub fn components(
-    raw: &RawField,
-    variables: &[&str],
-    parameters: &BTreeMap<String, f64>,
-) -> Result<[Expression; 2], Fault> {
-    Ok([component(&raw[0], variables, parameters)?, component(&raw[1], variables, parameters)?])
-}
-
 /// The field as a function of the point and the normal; variables that it was not parsed with are not seen by it.
 pub fn vector_field(
     raw: &RawField,
     variables: &[&str],
     parameters: &BTreeMap<String, f64>,
 ) -> Result<VectorField, Fault> {
-    let [first, second] = components(raw, variables, parameters)?;
+    let first = component(&raw[0], variables, parameters)?;
+    let second = component(&raw[1], variables, parameters)?;
     Ok(Arc::new(move |x: Point, n: Vec2| {
         let at = [x.x, x.y, n.x, n.y];
         Vec2::new(first.eval(&at), second.eval(&at))
@@ -41,12 +33,20 @@ fn component(
     variables: &[&str],
     parameters: &BTreeMap<String, f64>,
 ) -> Result<Expression, Fault> {
-    let text = raw.get_ref();
-    Expression::parse(text, variables, parameters).map_err(|e| {
-        let names: Vec<&str> = variables.iter().copied().chain(parameters.keys().map(String::as_str)).collect();
-        let message = format!("expression: {}", e.message);
-        Fault::new(inside(raw, e.column), message, format!("correct it; known here: {}", names.join(", ")))
-    })
+    Expression::parse(raw.get_ref(), variables, parameters)
+        .map_err(|e| expression_fault(raw, &e, variables, parameters))
+}
+
+/// The error of an expression, at its place in the file.
+pub fn expression_fault(
+    raw: &Spanned<String>,
+    error: &ExprError,
+    variables: &[&str],
+    parameters: &BTreeMap<String, f64>,
+) -> Fault {
+    let names: Vec<&str> = variables.iter().copied().chain(parameters.keys().map(String::as_str)).collect();
+    let next = format!("correct it; names known here: {}", names.join(", "));
+    Fault::new(inside(raw, error.column), format!("expression `{}`: {}", error.text, error.message), next)
 }
 
 /// The place of the expression's character `column` in the file, if the string is written without escapes; else the whole.

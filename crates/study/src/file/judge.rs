@@ -4,23 +4,14 @@ use super::error::{Fault, refuse};
 use super::number::{Finite, OrNone};
 use super::raw::{RawClaim, RawExpected, RawGates, RawStudy};
 use super::words::suggestion;
-use crate::claim::{self, Claim};
-use crate::record::Bounds;
+use crate::claim::Claim;
+use crate::claim::catalogue::{Standing, catalogue, find};
+use crate::record::{Bounds, Errors};
 use crate::study::Gates;
 use toml::Spanned;
 
-/// Error norms and constants that a claim of a study's own may judge.
-const NORMS: [&str; 9] = [
-    "strain",
-    "energy",
-    "h1",
-    "l2",
-    "pressure_l2",
-    "pressure_dual",
-    "penetration_l2",
-    "contact_set",
-    "b_over_h2",
-];
+/// What else than an error norm a claim of a study's own may judge.
+const CONSTANTS: [&str; 2] = ["b_over_h2", "ledger"];
 
 /// The study's claim: one of the catalogue or its own.
 pub fn claim(raw: &RawStudy) -> Result<Claim, Fault> {
@@ -33,16 +24,23 @@ pub fn claim(raw: &RawStudy) -> Result<Claim, Fault> {
 }
 
 fn catalogued(id: &Spanned<String>) -> Result<Claim, Fault> {
-    claim::find(id.get_ref()).map(claim::Entry::claim).ok_or_else(|| {
-        let known: Vec<&str> = claim::ids().collect();
-        Fault::new(id.span(), format!("no claim `{}` in the catalogue", id.get_ref()), suggestion(id.get_ref(), &known))
-    })
+    let word = id.get_ref();
+    let landed: Vec<&str> = catalogue().iter().filter(|e| e.standing == Standing::Landed).map(|e| e.id).collect();
+    match find(word) {
+        Ok(entry) if entry.standing == Standing::Landed => Ok(entry.claim()),
+        Ok(_) => {
+            let message = format!("claim `{word}` is stated in the catalogue, but cannot be judged yet");
+            refuse(id.span(), message, format!("use one of: {}; or state it as [own_claim]", landed.join(", ")))
+        }
+        Err(_) => refuse(id.span(), format!("no claim `{word}` in the catalogue"), suggestion(word, &landed)),
+    }
 }
 
 fn own_claim(raw: &RawClaim) -> Result<Claim, Fault> {
     let norm = raw.norm.get_ref();
-    if !NORMS.contains(&norm.as_str()) {
-        return refuse(raw.norm.span(), format!("no error norm `{norm}`"), suggestion(norm, &NORMS));
+    let known: Vec<&str> = Errors::NORMS.into_iter().chain(CONSTANTS).collect();
+    if !known.contains(&norm.as_str()) {
+        return refuse(raw.norm.span(), format!("no error norm `{norm}`"), suggestion(norm, &known));
     }
     let number = |x: Option<Finite>| x.map(|x| x.0);
     Ok(Claim {
@@ -95,6 +93,10 @@ pub fn gates(raw: Option<&Spanned<RawGates>>, control: bool) -> Result<(Gates, b
         exact_tolerance: number("exact_tolerance", &g.exact_tolerance, d.exact_tolerance, 0.0, 1.0)?,
         fall: number("fall", &g.fall, d.fall, 0.0, 1.0)?,
         spread: number("spread", &g.spread, d.spread, 1.0, f64::INFINITY)?,
+        constant: match &g.constant {
+            Some(c) => Some(between("constant", c.get_ref().0, c, 0.0, f64::INFINITY)?),
+            None => d.constant,
+        },
         share: number("share", &g.share, d.share, 0.0, 1.0)?,
     };
     Ok((gates, fixed))

@@ -11,7 +11,6 @@ mod canonical;
 mod error;
 mod exact;
 mod field;
-mod formula;
 mod judge;
 mod layer;
 pub mod library;

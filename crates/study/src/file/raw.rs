@@ -236,6 +236,7 @@ pub struct RawGates {
     pub exact_tolerance: Option<Spanned<Finite>>,
     pub fall: Option<Spanned<Finite>>,
     pub spread: Option<Spanned<Finite>>,
+    pub constant: Option<Spanned<Finite>>,
     pub share: Option<Spanned<Finite>>,
     pub fixed_quadrature: Option<Spanned<bool>>,
     pub reason: Option<String>,

@@ -27,12 +27,17 @@ pub fn study(raw: &RawStudy, path: &Path) -> Result<Study, Fault> {
         cases: cases(raw, &claim)?,
         id,
         title: raw.title.clone(),
-        question: raw.question.trim().to_string(),
-        setup: raw.setup.trim().to_string(),
-        refuted_by: raw.refuted_by.trim().to_string(),
+        question: prose(&raw.question),
+        setup: prose(&raw.setup),
+        refuted_by: prose(&raw.refuted_by),
         claim,
         source: path.to_path_buf(),
     })
+}
+
+/// Line breaks of the file are not part of the text.
+fn prose(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
 fn cases(raw: &RawStudy, claim: &Claim) -> Result<Vec<Case>, Fault> {

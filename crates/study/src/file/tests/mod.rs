@@ -1,0 +1,1 @@
+//! Tests of the reader: shipped studies, the documented example, malformed files.
