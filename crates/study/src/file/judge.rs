@@ -19,7 +19,9 @@ pub fn claim(raw: &RawStudy) -> Result<Claim, Fault> {
         (Some(id), None) => catalogued(id),
         (None, Some(own)) => own_claim(own.get_ref()),
         (Some(id), Some(_)) => refuse(id.span(), "both `claim` and `own_claim`", "keep one of them"),
-        (None, None) => refuse(raw.id.span(), "the study claims nothing", "give `claim = \"…\"` or a table [own_claim]"),
+        (None, None) => {
+            refuse(raw.id.span(), "the study claims nothing", "give `claim = \"…\"` or a table [own_claim]")
+        }
     }
 }
 

@@ -1,6 +1,7 @@
 //! Elastic constants of a study file.
 
 use super::error::{Fault, refuse};
+use super::fixed::Fixed;
 use super::raw::{PlaneName, RawMaterial, RawOrthotropic};
 use signorini_contact::Material;
 use signorini_contact::material::Plane;
@@ -12,12 +13,8 @@ const FORMS: &str = "give exactly one of `lame = [λ, μ]`, `young` with `poisso
 pub fn material(raw: &Spanned<RawMaterial>) -> Result<Material, Fault> {
     let span = raw.span();
     let m = raw.get_ref();
-    let forms = [
-        m.lame.is_some(),
-        m.young.is_some() || m.poisson.is_some(),
-        m.orthotropic.is_some(),
-        m.matrix.is_some(),
-    ];
+    let forms =
+        [m.lame.is_some(), m.young.is_some() || m.poisson.is_some(), m.orthotropic.is_some(), m.matrix.is_some()];
     let given = forms.iter().filter(|f| **f).count();
     if given != 1 {
         return refuse(span, format!("material: {given} laws where there must be 1"), FORMS);
@@ -27,11 +24,15 @@ pub fn material(raw: &Spanned<RawMaterial>) -> Result<Material, Fault> {
         return refuse(m.plane.as_ref().map_or(span, Spanned::span), message, "leave `plane` out");
     }
     let plane = m.plane.as_ref().map_or(Plane::Strain, |p| plane(*p.get_ref()));
-    if let Some([lambda, mu]) = m.lame {
+    if let Some(Fixed([lambda, mu])) = m.lame {
         return checked(Material::lame(lambda.0, mu.0), raw, "choose μ > 0 and λ + μ > 0");
     }
     if let Some(c) = m.matrix {
-        return checked(Material::general(c.map(|r| r.map(|x| x.0))), raw, "give a symmetric, positive definite matrix");
+        return checked(
+            Material::general(c.0.map(|r| r.0.map(|x| x.0))),
+            raw,
+            "give a symmetric, positive definite matrix",
+        );
     }
     match &m.orthotropic {
         Some(o) => checked(orthotropic(o, plane), raw, "choose positive moduli and smaller ratios"),
@@ -55,7 +56,7 @@ fn checked(
 }
 
 fn orthotropic(o: &RawOrthotropic, plane: Plane) -> Result<Material, signorini_contact::Error> {
-    Material::orthotropic(o.moduli.map(|x| x.0), o.ratios.map(|x| x.0), o.shear.0, plane)
+    Material::orthotropic(o.moduli.0.map(|x| x.0), o.ratios.0.map(|x| x.0), o.shear.0, plane)
 }
 
 fn isotropic(raw: &Spanned<RawMaterial>, plane: Plane) -> Result<Material, Fault> {

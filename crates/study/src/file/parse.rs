@@ -23,7 +23,9 @@ fn next_step(message: &str) -> String {
         return format!("did you mean `{meant}`?");
     }
     match &quoted[..] {
-        [name] if message.starts_with("missing field") => format!("add `{name} = …`; studies/README.md says what it means"),
+        [name] if message.starts_with("missing field") => {
+            format!("add `{name} = …`; studies/README.md says what it means")
+        }
         [name] if message.starts_with("duplicate") => format!("keep one `{name}`"),
         _ => "correct it; studies/README.md describes every field".into(),
     }

@@ -66,9 +66,7 @@ pub fn reference(
         }
         ReferenceName::Exact => Ok(ReferencePlan::Exact),
         ReferenceName::None => Ok(ReferencePlan::None),
-        ReferenceName::Overkill => {
-            Ok(ReferencePlan::Overkill { quick: cells(quick, 256)?, full: cells(full, 1024)? })
-        }
+        ReferenceName::Overkill => Ok(ReferencePlan::Overkill { quick: cells(quick, 256)?, full: cells(full, 1024)? }),
     }
 }
 

@@ -136,6 +136,10 @@ fn two_bodies<'a>(layer: &Layer<'a>, place: &Range<usize>) -> Result<&'a [Spanne
     bodies.try_into().map_err(|_| {
         let span = bodies.get(2).map_or(place.clone(), |b| b.get_ref().name.span());
         let message = format!("{} bodies, where contact has exactly 2", bodies.len());
-        Fault::new(span, message, "give two tables [[body]]; the first is Ω', whose outward normal points to the second")
+        Fault::new(
+            span,
+            message,
+            "give two tables [[body]]; the first is Ω', whose outward normal points to the second",
+        )
     })
 }

@@ -23,8 +23,21 @@ fn the_example_parses() {
 #[test]
 fn every_field_is_documented() {
     let tables = [
-        "", "[own_claim]", "[[body]]", "[body.material]", "[body.material.orthotropic]", "[[boundary]]", "[contact]",
-        "[exact]", "[family]", "[levels]", "[reference]", "[solver]", "[gates]", "[expected]", "[[case]]",
+        "",
+        "[own_claim]",
+        "[[body]]",
+        "[body.material]",
+        "[body.material.orthotropic]",
+        "[[boundary]]",
+        "[contact]",
+        "[exact]",
+        "[family]",
+        "[levels]",
+        "[reference]",
+        "[solver]",
+        "[gates]",
+        "[expected]",
+        "[[case]]",
     ];
     for table in tables {
         let head = if table.starts_with("[body.") { "[[body]]\n" } else { "" };

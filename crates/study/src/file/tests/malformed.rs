@@ -56,7 +56,7 @@ type Row = (&'static str, &'static str, &'static str, &'static str);
 const TABLE: &[Row] = &[
     // TOML itself
     ("id = \"small\"", "id = small\"", "small", "missing opening quote"),
-    ("[contact]\n", "[contact\n", "\nalong = [[0, 0], [1, 0]]", "table header"),
+    ("[contact]\n", "[contact\n", "\nalong = [[0, 0], [1, 0]]", "unclosed table"),
     ("title = \"t\"", "title = \"t\"\ntitle = \"u\"", "title = \"u\"", "duplicate key"),
     // keys
     ("[levels]", "[levls]", "levls]", "unknown field `levls`"),
@@ -69,8 +69,10 @@ const TABLE: &[Row] = &[
     ("young = 1.0", "young = nan", "nan", "NaN is not a finite number"),
     ("[[0, 0], [1, 1]]", "[[0, 0], [inf, 1]]", "inf", "inf is not a finite number"),
     ("quick = [8, 16, 32, 64]", "quick = [-8, 16]", "-8", "expected usize"),
-    ("divisions = [1, 1]", "divisions = [1, 1, 1]", "[1, 1, 1]", "length"),
+    ("divisions = [1, 1]", "divisions = [1, 1, 1]", "[1, 1, 1]", "invalid length 3, expected 2 entries"),
     ("seed = 1", "seed = 1.5", "1.5", "expected u64"),
+    ("[[0, 0], [1, 1]]", "[[0, 0, 5], [1, 1]]", "[0, 0, 5]", "invalid length 3, expected 2 entries"),
+    ("[\"0\", \"sin(x)\"]", "[\"sin(x)\"]", "[\"sin(x)\"]", "invalid length 1, expected 2 entries"),
     // names
     ("body = \"lower\"", "body = \"lowr\"", "\"lowr\"", "there is no body `lowr`"),
     ("name = \"two\"", "name = \"one\"", "\"one\"\nfamily", "two cases named `one`"),
@@ -107,7 +109,7 @@ const TABLE: &[Row] = &[
     ("[[body]]\nname = \"lower\"\nmaterial = { matrix = [[3, 1, 0], [1, 3, 0], [0, 0, 1]] }\n\
         blocks = [{ corners = [[0, -1], [1, -1], [1, 0], [0, 0]], divisions = [1, 1] }]\n", "", "\"one\"", "1 bodies"),
     // expressions
-    ("\"sin(x)\"", "\"sin(x\"", "x\"]", "expression `sin(x`"),
+    ("\"sin(x)\"", "\"sin(x\"", "(x\"]", "expression `sin(x`"),
     ("\"sin(x)\"", "\"2*sinn(x)\"", "sinn", "sinn"),
     ("\"sin(x)\"", "\"nx\"", "nx", "nx"),
     ("\"-0.1*nx\"", "\"-0.1*k\"", "k\"", "k"),
