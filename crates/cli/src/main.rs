@@ -1,1 +1,35 @@
-fn main() {}
+//! The `signorini` program: arguments, progress and exit status. No mathematics.
+
+mod args;
+mod bless;
+mod check;
+mod failure;
+mod list;
+mod progress;
+mod report;
+mod run;
+
+use args::{Cli, Command};
+use clap::Parser;
+use std::process::ExitCode;
+
+/// Version and commit.
+pub const VERSION: &str = concat!(env!("CARGO_PKG_VERSION"), " (", env!("SIGNORINI_COMMIT"), ")");
+
+fn main() -> ExitCode {
+    let cli = Cli::parse();
+    let result = match cli.command.unwrap_or(Command::Run(cli.run)) {
+        Command::Run(args) => run::run(&args),
+        Command::List => list::list(),
+        Command::Check(args) => check::check(&args),
+        Command::Bless(args) => bless::bless(&args),
+        Command::Report { dir } => report::report(&dir),
+    };
+    match result {
+        Ok(status) => ExitCode::from(status),
+        Err(failure) => {
+            eprint!("{failure}");
+            ExitCode::from(signorini_study::verdict::BAD_INPUT)
+        }
+    }
+}

@@ -12,6 +12,9 @@ pub enum Error {
     /// Boundary conditions contradict one another.
     #[error("boundary conditions: {0}")]
     Boundary(String),
+    /// A load or a prescribed displacement is not a number.
+    #[error("load: {0}")]
+    Load(String),
     /// No solution exists, or it is a limit load.
     #[error("solvability: {0}")]
     Solvability(String),

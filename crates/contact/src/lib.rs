@@ -11,18 +11,56 @@
 //! discretised as in J. Haslinger, I. Hlaváček, *Contact between elastic bodies — II. Finite element analysis*:
 //! continuous piecewise linear displacements, one constraint per contact node and normal.
 //!
+//! # Two blocks in contact
+//!
+//! ```
+//! use signorini_contact::mesh::{Mesh, PartOutline, blocks::{Pattern, QuadBlock, triangulate}};
+//! use signorini_contact::problem::{Data, Problem, Support};
+//! use signorini_contact::{Body, Error, Material, Point, Vec2, quadrature::Cubature, solver::Settings};
+//!
+//! struct Press; // a traction of 0.1 downwards on every loaded part
+//! impl Data for Press {
+//!     fn traction(&self, _part: usize, _x: Point, _normal: Vec2) -> Vec2 { Vec2::new(0.0, -0.1) }
+//! }
+//!
+//! # fn main() -> Result<(), Error> {
+//! let square = |y: f64| [[0.0, y], [1.0, y], [1.0, y + 1.0], [0.0, y + 1.0]].map(|[x, y]| Point::new(x, y));
+//! let body = |y| triangulate(&[QuadBlock { corners: square(y), cells: [8, 8] }], Pattern::Structured);
+//! let part = |body, name: &str, corners: &[usize], y: f64| PartOutline {
+//!     body, name: name.into(), along: corners.iter().map(|&k| square(y)[k]).collect(),
+//! };
+//! let parts = [
+//!     part(Body::First, "right and top", &[1, 2, 3], 0.0), part(Body::First, "left", &[3, 0], 0.0),
+//!     part(Body::Second, "sides", &[3, 0], -1.0), part(Body::Second, "bottom", &[0, 1], -1.0), part(Body::Second, "right", &[1, 2], -1.0),
+//! ];
+//! let mesh = Mesh::build([body(0.0)?, body(-1.0)?], &parts, &[square(0.0)[0], square(0.0)[1]])?;
+//! let supports = [Support::Traction, Support::Sliding, Support::Free, Support::Fixed, Support::Free];
+//! let material = Material::isotropic(1.0, 0.3, signorini_contact::material::Plane::Strain)?;
+//! let problem = Problem { mesh: &mesh, materials: [material; 2], supports: &supports, data: &Press, cubature: &Cubature::default() };
+//! let (_, solution) = problem.solve(&Settings::default())?;
+//! assert!(solution.raw.status.is_solved());
+//! // Contact carries the whole load: the forces sum to the resultant.
+//! let carried: f64 = solution.contact_forces.iter().flatten().sum();
+//! assert!((carried - 0.1).abs() < 1e-12);
+//! # Ok(()) }
+//! ```
+//!
 //! The crate is the mathematics alone: it opens no file, reads no clock, prints nothing and knows no study.
 //! The modules in reading order: [`geometry`], [`quadrature`], [`material`], [`mesh`], [`element`], [`zone`],
 //! [`assembly`], [`sparse`], [`qp`], [`solver`], [`rigid`], [`problem`], [`norm`].
 
+pub mod assembly;
 pub mod basis;
 pub mod element;
 pub mod error;
 pub mod geometry;
 pub mod material;
 pub mod mesh;
+pub mod norm;
+pub mod problem;
 pub mod qp;
 pub mod quadrature;
+pub mod rigid;
 pub mod solver;
 pub mod sparse;
 pub mod sum;

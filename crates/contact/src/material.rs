@@ -89,8 +89,7 @@ impl Material {
             }
         }
         let c0 = smallest_modulus(&c);
-        // A NaN entry makes the comparison false and is refused as well.
-        if !(c0 > 1e-14 * largest) || !largest.is_finite() {
+        if c0.is_nan() || c0 <= 1e-14 * largest || !largest.is_finite() {
             return Err(Error::Material(format!(
                 "c_ijkl is not positive: its smallest modulus c0 = {c0:.3e} must be positive (2.7); C = {c:?}"
             )));

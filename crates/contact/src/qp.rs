@@ -7,6 +7,12 @@
 //! Optimal are `x, λ` with `Kx + Σ λ_c e_c = f`, `λ_c ≥ 0`, `x_c ≤ g_c`, `λ_c (g_c − x_c) = 0`.
 //! Nothing here knows of meshes, pairs or displacements.
 
+mod algebraic_error;
+mod certificate;
+
+pub use algebraic_error::algebraic_error;
+pub use certificate::{Certificate, CertificateScales, certify};
+
 use crate::sparse::BlockMatrix;
 
 /// An upper bound `x_dof ≤ upper`.
@@ -33,4 +39,30 @@ pub struct BoundQp {
     pub kernel: Vec<Vec<f64>>,
     /// One condition `p(x) = Σ p_i x_i = 0` per kernel vector, which makes the solution unique.
     pub conditions: Vec<Vec<(u32, f64)>>,
+}
+
+/// The energy `½ xᵀKx − fᵀx`.
+pub fn energy(qp: &BoundQp, x: &[f64]) -> f64 {
+    let mut kx = vec![0.0; x.len()];
+    qp.matrix.apply(x, &mut kx);
+    // Σ x_i (½ (Kx)_i − f_i)
+    let terms = x.iter().zip(&kx).zip(&qp.load);
+    terms.map(|((x, kx), f)| x * (0.5 * kx - f)).sum()
+}
+
+/// The residual `f − Kx`: on a bounded component its multiplier, elsewhere what stationarity lacks.
+pub fn residual(qp: &BoundQp, x: &[f64]) -> Vec<f64> {
+    let mut r = vec![0.0; x.len()];
+    qp.matrix.apply(x, &mut r);
+    r.iter_mut().zip(&qp.load).for_each(|(r, f)| *r = f - *r);
+    r
+}
+
+/// `‖v‖_∞`; NaN if any entry is.
+pub(crate) fn largest(v: &[f64]) -> f64 {
+    let larger = |max: f64, &x: &f64| {
+        let x = x.abs();
+        if x > max || x.is_nan() { x } else { max }
+    };
+    v.iter().fold(0.0, larger)
 }

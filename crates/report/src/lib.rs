@@ -1,1 +1,105 @@
-//! stub
+//! From a [`StudyRecord`] to what people read: Markdown pages, CSV and JSON tables, pictures. Solves nothing.
+//!
+//! Every output is a pure function of the record: the same record gives the same bytes.
+//!
+//! ```no_run
+//! use signorini_study::record::StudyRecord;
+//! use std::path::Path;
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! let text = std::fs::read_to_string("reports/thm31/record.json")?;
+//! let record: StudyRecord = serde_json::from_str(&text)?;
+//! for file in signorini_report::render(&record, Path::new("reports/thm31"))? {
+//!     println!("{}", file.display());
+//! }
+//! print!("{}", signorini_report::summary_text(&[record]));
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! Reading order: [`table`] (the one table model) · [`norm`] (what can be tabulated) · [`levels`] (the tables of a
+//! case) · [`markdown`] (its page) · [`plot`] (its pictures) · [`verdict`], [`summary`] (all cases together) ·
+//! [`write`](mod@write).
+
+pub mod error;
+pub mod format;
+pub mod levels;
+pub mod markdown;
+pub mod norm;
+pub mod plot;
+pub mod summary;
+pub mod table;
+pub mod verdict;
+pub mod write;
+
+pub use error::ReportError;
+pub use summary::{SummaryRow, summary_markdown, summary_rows, summary_text};
+
+use signorini_study::record::StudyRecord;
+use std::path::{Path, PathBuf};
+use write::{remove_if_present, write_atomically};
+
+/// Writes what there is to read about one case into its folder `dir`: `report.md`, `table.csv`, `table.json`,
+/// `rates.png`, `ledger.png` and the pictures' twins `rates.svg`, `ledger.svg`.
+///
+/// A picture with nothing to show is not written, and one that an earlier run left is removed. Returns the files
+/// written, in that order.
+///
+/// # Errors
+/// [`ReportError`] if a file cannot be written, a number is not finite, or a picture cannot be drawn.
+pub fn render(record: &StudyRecord, dir: &Path) -> Result<Vec<PathBuf>, ReportError> {
+    let table = levels::all(record);
+    let rates = plot::rates(record);
+    let ledger = plot::ledger(record);
+    let pictures = markdown::Pictures { rates: rates.is_some(), ledger: ledger.is_some() };
+    let mut folder = Folder::new(dir);
+    folder.write("report.md", markdown::page(record, pictures).as_bytes())?;
+    folder.write("table.csv", &table.to_csv()?)?;
+    folder.write("table.json", &table::json_text(&table.to_json()?)?)?;
+    for (name, chart) in [("rates", &rates), ("ledger", &ledger)] {
+        let png = chart.as_ref().map(plot::png).transpose()?;
+        folder.write_or_remove(&format!("{name}.png"), png.as_deref())?;
+        let svg = chart.as_ref().map(plot::svg).transpose()?;
+        folder.write_or_remove(&format!("{name}.svg"), svg.as_deref().map(str::as_bytes))?;
+    }
+    Ok(folder.written)
+}
+
+/// Writes `summary.md` and `summary.json` (one row per case, in the order of `records`) into `dir`. Returns the files
+/// written.
+///
+/// # Errors
+/// [`ReportError`] if a file cannot be written or a number is not finite.
+pub fn render_summary(records: &[StudyRecord], dir: &Path) -> Result<Vec<PathBuf>, ReportError> {
+    let rows = summary_rows(records)?;
+    let mut folder = Folder::new(dir);
+    folder.write("summary.md", summary_markdown(records).as_bytes())?;
+    folder.write("summary.json", &table::json_text(&rows)?)?;
+    Ok(folder.written)
+}
+
+/// A folder and what was written into it.
+struct Folder<'a> {
+    dir: &'a Path,
+    written: Vec<PathBuf>,
+}
+
+impl<'a> Folder<'a> {
+    fn new(dir: &'a Path) -> Self {
+        Self { dir, written: Vec::new() }
+    }
+
+    fn write(&mut self, name: &str, bytes: &[u8]) -> Result<(), ReportError> {
+        let path = self.dir.join(name);
+        write_atomically(&path, bytes)?;
+        self.written.push(path);
+        Ok(())
+    }
+
+    fn write_or_remove(&mut self, name: &str, bytes: Option<&[u8]>) -> Result<(), ReportError> {
+        match bytes {
+            Some(bytes) => self.write(name, bytes),
+            None => remove_if_present(&self.dir.join(name)),
+        }
+    }
+}

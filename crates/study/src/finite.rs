@@ -12,12 +12,10 @@ use std::fmt::Display;
 /// # Errors
 /// [`RecordError::NonFinite`] with the place of the first NaN or infinite number, e.g. `levels[3].errors.strain`.
 pub(crate) fn check(value: &(impl Serialize + ?Sized)) -> Result<(), RecordError> {
-    value
-        .serialize(&mut Walker::default())
-        .map_err(|stop| match stop {
-            Stop::Number { path, value } => RecordError::NonFinite { path, value },
-            Stop::Custom(message) => RecordError::Json(ser::Error::custom(message)),
-        })
+    value.serialize(&mut Walker::default()).map_err(|stop| match stop {
+        Stop::Number { path, value } => RecordError::NonFinite { path, value },
+        Stop::Custom(message) => RecordError::Json(ser::Error::custom(message)),
+    })
 }
 
 /// Where the walk is: the path from the root, `.name` or `[index]` each.
@@ -60,10 +58,7 @@ impl Walker {
         if value.is_finite() {
             return Ok(());
         }
-        Err(Stop::Number {
-            path: self.path.clone(),
-            value,
-        })
+        Err(Stop::Number { path: self.path.clone(), value })
     }
 }
 
@@ -78,24 +73,14 @@ struct Inside<'a> {
 impl<'a> Inside<'a> {
     fn of(walker: &'a mut Walker) -> Self {
         let outside = walker.path.len();
-        Self {
-            walker,
-            index: 0,
-            key: String::new(),
-            outside,
-        }
+        Self { walker, index: 0, key: String::new(), outside }
     }
 
     fn of_variant(walker: &'a mut Walker, variant: &str) -> Self {
         let outside = walker.path.len();
         let dot = if outside == 0 { "" } else { "." };
         walker.path.push_str(&format!("{dot}{variant}"));
-        Self {
-            walker,
-            index: 0,
-            key: String::new(),
-            outside,
-        }
+        Self { walker, index: 0, key: String::new(), outside }
     }
 
     fn next(&mut self, value: &(impl Serialize + ?Sized)) -> Result<(), Stop> {
@@ -152,11 +137,7 @@ impl<'a> Serializer for &'a mut Walker {
     fn serialize_unit_variant(self, _: &'static str, _: u32, _: &'static str) -> Result<(), Stop> {
         Ok(())
     }
-    fn serialize_newtype_struct<T: Serialize + ?Sized>(
-        self,
-        _: &'static str,
-        v: &T,
-    ) -> Result<(), Stop> {
+    fn serialize_newtype_struct<T: Serialize + ?Sized>(self, _: &'static str, v: &T) -> Result<(), Stop> {
         v.serialize(self)
     }
     fn serialize_newtype_variant<T: Serialize + ?Sized>(

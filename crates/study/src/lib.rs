@@ -3,6 +3,7 @@
 //! A study is data (TOML), a result is data (JSON), and everything between is a pure function of the two and a seed.
 
 pub mod claim;
+pub mod error;
 pub mod exact;
 pub mod expr;
 pub mod family;
@@ -10,8 +11,11 @@ pub mod file;
 mod finite;
 pub mod rate;
 pub mod record;
+pub mod reference;
+pub mod run;
 #[cfg(test)]
 mod sample;
+mod scene;
 pub mod store;
 pub mod study;
 pub mod verdict;

@@ -92,6 +92,8 @@ pub enum Reference {
 pub struct Level {
     /// From 0, the coarsest.
     pub level: usize,
+    /// Cells per unit of the coarse division, the study's `n`.
+    pub cells: usize,
     /// Largest side of the mesh.
     pub h: f64,
     /// Smallest angle, in degrees.
@@ -126,6 +128,8 @@ pub struct Level {
     pub budget: Budget,
     /// How it was solved.
     pub solver: SolverRecord,
+    /// What deserves a warning: nearly dependent normals, a free slide that was pinned.
+    pub warnings: Vec<String>,
     /// Whether the level may enter the fit, and if not why.
     pub excluded: Option<String>,
     /// `‖u‖_A = √A(u,u)` of the reference, or of `u_h` where there is none: what makes an error rounding.
@@ -163,17 +167,8 @@ pub struct Errors {
 
 impl Errors {
     /// Names of the errors that a rate is fitted to, in the order of the record.
-    pub const NORMS: [&'static str; 9] = [
-        "strain",
-        "energy",
-        "h1",
-        "l2",
-        "pressure_l2",
-        "pressure_dual",
-        "penetration_l2",
-        "contact_set",
-        "energy_gap",
-    ];
+    pub const NORMS: [&'static str; 9] =
+        ["strain", "energy", "h1", "l2", "pressure_l2", "pressure_dual", "penetration_l2", "contact_set", "energy_gap"];
 
     /// The error of the given name; the signed `energy_gap` by its absolute value. `None` for a missing value and for
     /// a name that is not in [`Errors::NORMS`].
@@ -387,100 +382,4 @@ impl StudyRecord {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::sample;
-
-    #[test]
-    fn a_record_survives_writing_and_reading_to_the_last_bit() {
-        let mut record = sample::record("s", "s", sample::levels(5, |h| h.powf(0.9)));
-        record.parameters.insert("alpha".into(), 0.1 + 0.2);
-        let text = record.to_json().unwrap();
-        assert!(text.ends_with("}\n"));
-        let back = StudyRecord::from_json(&text).unwrap();
-        assert_eq!(back, record);
-        assert_eq!(back.to_json().unwrap(), text);
-    }
-
-    #[test]
-    fn a_missing_value_is_null_and_stays_so() {
-        let record = sample::record("s", "s", sample::levels(4, |h| h));
-        let value: serde_json::Value = serde_json::from_str(&record.to_json().unwrap()).unwrap();
-        assert!(value["levels"][0]["errors"]["pressure_l2"].is_null());
-        assert_eq!(
-            value["levels"][0]["errors"]["energy"],
-            record.levels[0].errors.energy.unwrap()
-        );
-    }
-
-    #[test]
-    fn non_finite_numbers_are_refused_by_name() {
-        let clean = sample::record("s", "s", sample::levels(4, |h| h));
-        type Spoil = fn(&mut StudyRecord);
-        let spoilt: [(Spoil, &str); 6] = [
-            (
-                |r| r.levels[3].errors.strain = Some(f64::NAN),
-                "levels[3].errors.strain",
-            ),
-            (|r| r.levels[1].energy = f64::INFINITY, "levels[1].energy"),
-            (
-                |r| r.levels[2].errors.strain_bodies = Some([0.0, f64::NAN]),
-                "levels[2].errors.strain_bodies[1]",
-            ),
-            (
-                |r| r.rates.get_mut("energy").unwrap().pairwise[0].1 = f64::NAN,
-                "rates.energy.pairwise[0][1]",
-            ),
-            (
-                |r| drop(r.parameters.insert("k".into(), f64::NEG_INFINITY)),
-                "parameters.k",
-            ),
-            (
-                |r| overkill(r).clone_from(&f64::NAN),
-                "reference.overkill.energy",
-            ),
-        ];
-        for (spoil, place) in spoilt {
-            let mut record = clean.clone();
-            spoil(&mut record);
-            match record.to_json() {
-                Err(RecordError::NonFinite { path, value }) => {
-                    assert!(path == place && !value.is_finite(), "{path}")
-                }
-                other => panic!("{place}: {other:?}"),
-            }
-        }
-    }
-
-    /// Gives the record an overkill reference and hands out its energy.
-    fn overkill(record: &mut StudyRecord) -> &mut f64 {
-        record.reference = Reference::Overkill {
-            h: 0.01,
-            dofs: 100,
-            energy: -1.0,
-            estimated_error: None,
-            stationarity: 1e-15,
-            solver: "condensed".into(),
-        };
-        match &mut record.reference {
-            Reference::Overkill { energy, .. } => energy,
-            _ => unreachable!("just set"),
-        }
-    }
-
-    #[test]
-    fn another_schema_is_told_apart_from_nonsense() {
-        assert!(matches!(
-            StudyRecord::from_json(r#"{"schema": 99}"#),
-            Err(RecordError::Schema { found: 99 })
-        ));
-        assert!(matches!(
-            StudyRecord::from_json(r#"{"schema": 1}"#),
-            Err(RecordError::Json(_))
-        ));
-        assert!(matches!(
-            StudyRecord::from_json("nonsense"),
-            Err(RecordError::Json(_))
-        ));
-    }
-}
+mod tests;

@@ -2,16 +2,13 @@
 
 use crate::rate;
 use crate::record::{
-    Bounds, Budget, ClaimKind, Errors, Kkt, Level, Outcome, Reference, SCHEMA, SolverRecord,
-    StudyRecord, Verdict,
+    Bounds, Budget, ClaimKind, Errors, Kkt, Level, Outcome, Reference, SCHEMA, SolverRecord, StudyRecord, Verdict,
 };
 
 /// `count` sound levels, `h = 1/8, 1/16, …`, whose energy error is `error(h)`; the strain error is 0.7 of it, the
 /// interpolation error 1.1 times it, `‖u‖_A = 1`.
 pub(crate) fn levels(count: usize, error: impl Fn(f64) -> f64) -> Vec<Level> {
-    (0..count)
-        .map(|k| level(k, error(0.125 * 0.5_f64.powi(k as i32))))
-        .collect()
+    (0..count).map(|k| level(k, error(0.125 * 0.5_f64.powi(k as i32)))).collect()
 }
 
 /// A sound level with the given energy error.
@@ -38,16 +35,8 @@ pub(crate) fn level(k: usize, error: f64) -> Level {
             ..Errors::default()
         },
         ledger: None,
-        kkt: Kkt {
-            stationarity: 1e-15,
-            ..Kkt::default()
-        },
-        budget: Budget {
-            algebraic: Some(1e-8),
-            quadrature: Some(1e-7),
-            geometry: Some(0.0),
-            reference: Some(0.0),
-        },
+        kkt: Kkt { stationarity: 1e-15, ..Kkt::default() },
+        budget: Budget { algebraic: Some(1e-8), quadrature: Some(1e-7), geometry: Some(0.0), reference: Some(0.0) },
         solver: SolverRecord {
             name: "condensed".into(),
             status: "converged".into(),
@@ -83,15 +72,8 @@ pub(crate) fn record(study: &str, case: &str, levels: Vec<Level>) -> StudyRecord
         seed: 0,
         rates: rate::all(&levels, "strain"),
         levels,
-        bounds: Bounds {
-            paper: Some(1.0),
-            today: Some(1.0),
-            expected: Some(1.0),
-        },
-        verdict: Verdict {
-            outcome: Outcome::Pass,
-            reasons: vec!["sample".into()],
-        },
+        bounds: Bounds { paper: Some(1.0), today: Some(1.0), expected: Some(1.0) },
+        verdict: Verdict { outcome: Outcome::Pass, reasons: vec!["sample".into()] },
         expect: None,
         expected_inconclusive: None,
         notes: Vec::new(),

@@ -84,7 +84,7 @@ pub enum ReferencePlan {
     None,
 }
 
-/// Tolerances of the verdict; `design.md` states the defaults.
+/// Tolerances of the verdict, the defaults in brackets.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gates {
     /// Tolerance on the rate (0.05).

@@ -6,8 +6,29 @@
 //!      / T \   side 1 = 2→0    on the left, so the outward normal is on the right.
 //!     0-----1  side 2 = 0→1
 //! ```
+//!
+//! From blocks to meshes: [`blocks`] triangulates quadrilaterals, [`Mesh::build`] joins two triangulations and names
+//! their boundary, [`Hierarchy`] refines, [`Quality`] measures and [`Mesh::hash`] identifies.
 
 use crate::geometry::Point;
+use std::fmt;
+
+pub mod blocks;
+mod build;
+mod contact;
+mod hash;
+pub mod hierarchy;
+mod outline;
+pub mod quality;
+mod sides;
+#[cfg(test)]
+mod tests;
+pub mod triangulation;
+
+pub use hash::fnv1a;
+pub use hierarchy::Hierarchy;
+pub use quality::Quality;
+pub use triangulation::Triangulation;
 
 /// One of the two bodies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -25,6 +46,12 @@ impl Body {
     /// 0 for `Ω'`, 1 for `Ω''`.
     pub fn index(self) -> usize {
         self as usize
+    }
+}
+
+impl fmt::Display for Body {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(["Ω'", "Ω''"][self.index()])
     }
 }
 

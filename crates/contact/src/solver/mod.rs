@@ -1,4 +1,43 @@
-//! Solvers of the bound-constrained problem. They know [`BoundQp`](crate::qp::BoundQp) and nothing else.
+//! Solvers of the bound-constrained problem. They know [`BoundQp`] and nothing else.
+//!
+//! [`solve`] chooses by [`Settings::method`]. In reading order: [`cholesky`] (the sparse factor), `schur` (condensation),
+//! `dense` (the problem on the bounded components), `active_set` and its refuge `monotone`, `condensed` (all of these
+//! together); `interior_point` and `crossover`, which share nothing with them but the sparse factor; `kernel` (two-sided
+//! motions), for both.
+
+mod active_set;
+pub mod cholesky;
+mod compress;
+mod condensed;
+mod crossover;
+mod dense;
+mod describe;
+mod interior_point;
+mod kernel;
+mod monotone;
+mod ordering;
+mod schur;
+
+#[cfg(test)]
+mod tests;
+
+use crate::qp::BoundQp;
+
+/// Solves the problem with the method that the settings name.
+///
+/// The time and memory of [`Method::Condensed`] are those of one sparse Cholesky factorisation, plus `16 m²` bytes and
+/// some dense factorisations for `m` bounds. An answer with an entry that is not finite never counts as solved.
+pub fn solve(qp: &BoundQp, settings: &Settings) -> QpSolution {
+    let mut answer = match settings.method {
+        Method::Condensed => condensed::solve(qp, settings),
+        Method::InteriorPoint => interior_point::solve(qp, settings),
+    };
+    let mut entries = answer.x.iter().chain(&answer.multipliers);
+    if answer.status.is_solved() && !entries.all(|v| v.is_finite()) {
+        answer.status = Status::IterationLimit { steps: answer.iterations };
+    }
+    answer
+}
 
 /// Which algorithm solves the problem.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -72,4 +111,20 @@ pub struct QpSolution {
     pub iterations: usize,
     /// Sparse factorisations.
     pub factorizations: usize,
+    /// Number of active bounds in each active-set step, crossover rounds included.
+    pub history: Vec<usize>,
+}
+
+impl QpSolution {
+    /// No answer yet: everything zero.
+    fn unsolved(qp: &BoundQp, status: Status) -> Self {
+        Self {
+            x: vec![0.0; qp.matrix.dimension()],
+            multipliers: vec![0.0; qp.bounds.len()],
+            status,
+            iterations: 0,
+            factorizations: 0,
+            history: Vec::new(),
+        }
+    }
 }

@@ -54,11 +54,7 @@ impl Entry {
             hypotheses: self.hypotheses.iter().map(|h| h.to_string()).collect(),
             kind: self.kind,
             norm: self.norm.into(),
-            bounds: Bounds {
-                paper: self.paper,
-                today: self.today,
-                expected: None,
-            },
+            bounds: Bounds { paper: self.paper, today: self.today, expected: None },
             sources: self.sources.iter().map(|s| s.to_string()).collect(),
         }
     }
@@ -77,14 +73,7 @@ pub struct UnknownClaim {
 /// All claims: the paper's in its order, then the laboratory's own.
 pub fn catalogue() -> &'static [Entry] {
     static ENTRIES: LazyLock<Vec<Entry>> = LazyLock::new(|| {
-        [
-            basics::ENTRIES,
-            polygon::ENTRIES,
-            curved::ENTRIES,
-            enlarging::ENTRIES,
-            laboratory::ENTRIES,
-        ]
-        .concat()
+        [basics::ENTRIES, polygon::ENTRIES, curved::ENTRIES, enlarging::ENTRIES, laboratory::ENTRIES].concat()
     });
     &ENTRIES
 }
@@ -95,16 +84,10 @@ pub fn catalogue() -> &'static [Entry] {
 /// [`UnknownClaim`] with the nearest id.
 pub fn find(id: &str) -> Result<&'static Entry, UnknownClaim> {
     let entries = catalogue();
-    entries
-        .iter()
-        .find(|e| e.id == id)
-        .ok_or_else(|| UnknownClaim {
-            id: id.into(),
-            nearest: entries
-                .iter()
-                .min_by_key(|e| distance(id, e.id))
-                .map_or("", |e| e.id),
-        })
+    entries.iter().find(|e| e.id == id).ok_or_else(|| UnknownClaim {
+        id: id.into(),
+        nearest: entries.iter().min_by_key(|e| distance(id, e.id)).map_or("", |e| e.id),
+    })
 }
 
 /// Insertions, deletions and replacements that turn `a` into `b` (Levenshtein).
@@ -158,29 +141,15 @@ mod tests {
             "theorem-3-5",
         ];
         assert_eq!(ids[..paper.len()], paper);
-        assert_eq!(
-            ids[paper.len()..],
-            ["corner-patch", "many-switches", "two-squares"]
-        );
+        assert_eq!(ids[paper.len()..], ["corner-patch", "many-switches", "two-squares"]);
         assert_eq!(ids.iter().collect::<BTreeSet<_>>().len(), ids.len());
     }
 
     #[test]
     fn what_can_be_tested_today() {
-        let landed: Vec<&str> = catalogue()
-            .iter()
-            .filter(|e| e.standing == Standing::Landed)
-            .map(|e| e.id)
-            .collect();
-        let expected = [
-            "lemma-2-1",
-            "theorem-3-1",
-            "remark-3-2a",
-            "remark-3-2b",
-            "corner-patch",
-            "many-switches",
-            "two-squares",
-        ];
+        let landed: Vec<&str> = catalogue().iter().filter(|e| e.standing == Standing::Landed).map(|e| e.id).collect();
+        let expected =
+            ["lemma-2-1", "theorem-3-1", "remark-3-2a", "remark-3-2b", "corner-patch", "many-switches", "two-squares"];
         assert_eq!(landed, expected);
     }
 
@@ -188,15 +157,10 @@ mod tests {
     fn entries_are_complete_and_name_a_quantity_that_exists() {
         for e in catalogue() {
             assert!(!e.statement.is_empty() && !e.sources.is_empty(), "{}", e.id);
-            let known =
-                Errors::NORMS.contains(&e.norm) || ["b_over_h2", "ledger"].contains(&e.norm);
+            let known = Errors::NORMS.contains(&e.norm) || ["b_over_h2", "ledger"].contains(&e.norm);
             assert!(known, "{}: {}", e.id, e.norm);
             let gated = e.paper.or(e.today).is_some();
-            assert!(
-                e.kind == ClaimKind::Rate || !gated,
-                "{}: a bound that no rule reads",
-                e.id
-            );
+            assert!(e.kind == ClaimKind::Rate || !gated, "{}: a bound that no rule reads", e.id);
         }
     }
 
@@ -214,13 +178,6 @@ mod tests {
     fn a_misspelt_id_gets_the_nearest() {
         assert_eq!(find("theorem-31").unwrap_err().nearest, "theorem-3-1");
         assert_eq!(find("corner_patch").unwrap_err().nearest, "corner-patch");
-        assert_eq!(
-            (
-                distance("kitten", "sitting"),
-                distance("", "abc"),
-                distance("abc", "abc")
-            ),
-            (3, 3, 0)
-        );
+        assert_eq!((distance("kitten", "sitting"), distance("", "abc"), distance("abc", "abc")), (3, 3, 0));
     }
 }

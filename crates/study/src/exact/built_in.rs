@@ -7,6 +7,8 @@ use signorini_contact::material::Lame;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+type Built = Result<Arc<dyn Exact>, String>;
+
 /// A built-in solution as the documentation lists it.
 #[derive(Clone, Copy, Debug)]
 pub struct BuiltIn {
@@ -19,7 +21,7 @@ pub struct BuiltIn {
     /// Its Sobolev order in words: `u ∈ H^{s−δ}` on each body.
     pub regularity: &'static str,
     sobolev: fn(&Values) -> Option<f64>,
-    build: fn(&Values, [Lame; 2]) -> Result<Arc<dyn Exact>, String>,
+    build: fn(&Values, [Lame; 2]) -> Built,
 }
 
 /// Every built-in solution. All but the patches live on `Ω' = (0,1)×(0,1)`, `Ω'' = (0,1)×(−1,0)` with contact on `y = 0`
@@ -29,16 +31,8 @@ pub const BUILT_INS: &[BuiltIn] = &[
         name: "P",
         about: "gap (x−s)^k and pressure 6 (s−x)^m on the two sides of one switch point s = 1/√6",
         parameters: &[
-            Parameter {
-                name: "k",
-                meaning: "exponent of the gap, 2 < k ≤ 12",
-                default: Some(3.0),
-            },
-            Parameter {
-                name: "m",
-                meaning: "exponent of the pressure, 1 < m ≤ 12",
-                default: Some(2.0),
-            },
+            Parameter { name: "k", meaning: "exponent of the gap, 2 < k ≤ 12", default: Some(3.0) },
+            Parameter { name: "m", meaning: "exponent of the pressure, 1 < m ≤ 12", default: Some(2.0) },
         ],
         regularity: "s = min(k, m+1) − 1/2",
         sobolev: |v| Some(v.optional("k")?.min(v.optional("m")? + 1.0) - 0.5),
@@ -55,11 +49,7 @@ pub const BUILT_INS: &[BuiltIn] = &[
     BuiltIn {
         name: "R",
         about: "one switch point of chosen regularity: gap 0.4 (x−s)^α, pressure 2 (s−x)^{α−1}",
-        parameters: &[Parameter {
-            name: "alpha",
-            meaning: "exponent of the gap, 0 < alpha < 2",
-            default: None,
-        }],
+        parameters: &[Parameter { name: "alpha", meaning: "exponent of the gap, 0 < alpha < 2", default: None }],
         regularity: "s = 1 + alpha",
         sobolev: |v| Some(1.0 + v.optional("alpha")?),
         build: |v, lame| Ok(Arc::new(PowerLaw::new(v.get("alpha")?, lame)?)),
@@ -80,16 +70,8 @@ pub const BUILT_INS: &[BuiltIn] = &[
         name: "tiles",
         about: "shrinking cells of width d_j = 2^{−j}/4: switch points accumulate at 1/√6",
         parameters: &[
-            Parameter {
-                name: "beta",
-                meaning: "decay (j+1)^{−beta}, 0 ≤ beta ≤ 4",
-                default: Some(1.0),
-            },
-            Parameter {
-                name: "power",
-                meaning: "power of d_j, 1/2 < power ≤ 2",
-                default: Some(1.0),
-            },
+            Parameter { name: "beta", meaning: "decay (j+1)^{−beta}, 0 ≤ beta ≤ 4", default: Some(1.0) },
+            Parameter { name: "power", meaning: "power of d_j, 1/2 < power ≤ 2", default: Some(1.0) },
             Parameter {
                 name: "tiles",
                 meaning: "number of tiles kept, 1 ≤ tiles ≤ 24, whole; give it or smallest, else 12",
@@ -127,11 +109,7 @@ pub const BUILT_INS: &[BuiltIn] = &[
 ///
 /// # Errors
 /// An unknown name or parameter, a missing value, or one outside its range; the message lists what is allowed.
-pub fn built_in(
-    name: &str,
-    parameters: &BTreeMap<String, f64>,
-    lame: [Lame; 2],
-) -> Result<Arc<dyn Exact>, String> {
+pub fn built_in(name: &str, parameters: &BTreeMap<String, f64>, lame: [Lame; 2]) -> Result<Arc<dyn Exact>, String> {
     let entry = find(name)?;
     let told = |message: String| format!("exact solution {name}: {message}");
     let values = Values::new(entry.parameters, parameters).map_err(told)?;
@@ -142,10 +120,7 @@ pub fn built_in(
 ///
 /// # Errors
 /// An unknown name or parameter.
-pub fn sobolev_order(
-    name: &str,
-    parameters: &BTreeMap<String, f64>,
-) -> Result<Option<f64>, String> {
+pub fn sobolev_order(name: &str, parameters: &BTreeMap<String, f64>) -> Result<Option<f64>, String> {
     let entry = find(name)?;
     Ok((entry.sobolev)(&Values::new(entry.parameters, parameters)?))
 }
@@ -157,14 +132,11 @@ fn find(name: &str) -> Result<&'static BuiltIn, String> {
             Some(meant) => format!("did you mean {meant}? "),
             None => String::new(),
         };
-        format!(
-            "unknown exact solution {name}; {hint}known: {}",
-            names.join(", ")
-        )
+        format!("unknown exact solution {name}; {hint}known: {}", names.join(", "))
     })
 }
 
-fn tiles(v: &Values, lame: [Lame; 2]) -> Result<Arc<dyn Exact>, String> {
+fn tiles(v: &Values, lame: [Lame; 2]) -> Built {
     let kept = match (v.optional("tiles"), v.optional("smallest")) {
         (Some(_), Some(_)) => {
             return Err("tiles and smallest exclude each other; give one of them".to_string());
@@ -173,10 +145,5 @@ fn tiles(v: &Values, lame: [Lame; 2]) -> Result<Arc<dyn Exact>, String> {
         (None, Some(smallest)) => Tiles::visible(smallest)?,
         (None, None) => 12.0,
     };
-    Ok(Arc::new(Tiles::new(
-        v.get("beta")?,
-        v.get("power")?,
-        kept,
-        lame,
-    )?))
+    Ok(Arc::new(Tiles::new(v.get("beta")?, v.get("power")?, kept, lame)?))
 }

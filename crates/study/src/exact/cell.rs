@@ -17,13 +17,7 @@ pub(super) fn cell<D: Real>(body: Body, lame: Lame, xi: D, eta: D) -> [D; 2] {
     if eta.re().abs() >= 1.0 {
         return [zero; 2];
     }
-    let mut trace = Trace {
-        a: zero,
-        slope_a: zero,
-        w: zero,
-        slope_w: zero,
-        p: zero,
-    };
+    let mut trace = Trace { a: zero, slope_a: zero, w: zero, slope_w: zero, p: zero };
     if xi.re() < SIGMA {
         // p = −3000 [ξ(σ−ξ)]²
         let bubble = xi * (-xi + SIGMA);

@@ -1,6 +1,6 @@
 //! Stress, loads and contact quantities of an exact displacement.
 
-use super::Exact;
+use super::{Exact, Jet2};
 use signorini_contact::material::{Sym2, strain};
 use signorini_contact::{Body, Material, Point, Vec2};
 
@@ -11,7 +11,12 @@ pub fn stress(exact: &dyn Exact, material: &Material, body: Body, x: Point) -> S
 
 /// The body force `F = −div τ`, force per area.
 pub fn body_force(exact: &dyn Exact, material: &Material, body: Body, x: Point) -> Vec2 {
-    let h = exact.jet2(body, x).hessian;
+    body_force_of(&exact.jet2(body, x), material)
+}
+
+/// The body force `F = −div τ` of a jet that is known already.
+pub fn body_force_of(jet: &Jet2, material: &Material) -> Vec2 {
+    let h = &jet.hessian;
     // ∂_k τ = C ∂_k ε
     let derivative = |k: usize| material.stress(strain([0, 1].map(|i| [h[i][0][k], h[i][1][k]])));
     let (d1, d2) = (derivative(0), derivative(1));

@@ -1,6 +1,7 @@
 //! Derivatives of an exact solution against differences of its own values.
 
-use super::verify::{Condition, VerifyError, demand, not_finite};
+use super::condition::{Condition, VerifyError, demand};
+use super::verify::not_finite;
 use super::{Exact, Jet2};
 use signorini_contact::geometry::{Segment, right_normal, segments};
 use signorini_contact::{Body, Point, Vec2};
@@ -28,19 +29,12 @@ impl Scales {
             sizes[2] = largest(sizes[2], jet.hessian.iter().flatten().flatten());
         }
         let first = sizes[1].max(sizes[0] / length);
-        Self {
-            first,
-            second: sizes[2].max(first / length),
-        }
+        Self { first, second: sizes[2].max(first / length) }
     }
 }
 
 /// Probes a few points inside both bodies beside the segment.
-pub(super) fn check(
-    exact: &dyn Exact,
-    segment: Segment,
-    scales: &Scales,
-) -> Result<(), VerifyError> {
+pub(super) fn check(exact: &dyn Exact, segment: Segment, scales: &Scales) -> Result<(), VerifyError> {
     let length = segment.length();
     let n = right_normal(segment.a, segment.b);
     let (points, lines) = (exact.singular_points(), exact.break_lines());
@@ -58,30 +52,14 @@ pub(super) fn check(
     Ok(())
 }
 
-fn probe(
-    exact: &dyn Exact,
-    body: Body,
-    at: Point,
-    step: f64,
-    scales: &Scales,
-) -> Result<(), VerifyError> {
+fn probe(exact: &dyn Exact, body: Body, at: Point, step: f64, scales: &Scales) -> Result<(), VerifyError> {
     let jet = exact.jet2(body, at);
     let bad = not_finite(&jet);
     let finite = bad.is_none();
-    demand(
-        finite,
-        Condition::Finite,
-        Some(body),
-        at,
-        bad.unwrap_or(0.0),
-        f64::MAX,
-    )?;
+    demand(finite, Condition::Finite, Some(body), at, bad.unwrap_or(0.0), f64::MAX)?;
     // Scales are those of the contact zone; inside the body the solution may be larger.
     let inside = Scales::of([jet].iter(), &[at, at + Vec2::new(1.0, 0.0)]);
-    let bounds = [
-        TOLERANCE * scales.first.max(inside.first),
-        TOLERANCE * scales.second.max(inside.second),
-    ];
+    let bounds = [TOLERANCE * scales.first.max(inside.first), TOLERANCE * scales.second.max(inside.second)];
     let errors = deviations(exact, body, at, step, &jet);
     let conditions = [Condition::Gradient, Condition::Hessian];
     for ((condition, value), bound) in conditions.into_iter().zip(errors).zip(bounds) {
@@ -95,10 +73,7 @@ fn deviations(exact: &dyn Exact, body: Body, at: Point, step: f64, jet: &Jet2) -
     let first_order = exact.jet(body, at);
     let mut found = [0.0f64; 2];
     for (k, e) in [Vec2::x(), Vec2::y()].into_iter().enumerate() {
-        let (after, before) = (
-            exact.jet(body, at + step * e),
-            exact.jet(body, at - step * e),
-        );
+        let (after, before) = (exact.jet(body, at + step * e), exact.jet(body, at - step * e));
         for i in 0..2 {
             let slope = (after.value[i] - before.value[i]) / (2.0 * step);
             for gradient in [jet.gradient, first_order.gradient] {

@@ -36,10 +36,7 @@ impl Expressions {
     ///
     /// # Errors
     /// The first expression that does not parse.
-    pub fn parse(
-        texts: [[&str; 2]; 2],
-        parameters: &BTreeMap<String, f64>,
-    ) -> Result<Self, ComponentError> {
+    pub fn parse(texts: [[&str; 2]; 2], parameters: &BTreeMap<String, f64>) -> Result<Self, ComponentError> {
         let one = |body: Body, component: usize| {
             let text = texts[body.index()][component];
             Expression::parse(text, &["x", "y"], parameters).map_err(|source| ComponentError {

@@ -35,23 +35,12 @@ impl<F: Field> Exact for F {
     }
 
     fn jet(&self, body: Body, x: Point) -> Jet {
-        let u = self.eval(
-            body,
-            DualSVec64::from_re(x.x).derivative(0),
-            DualSVec64::from_re(x.y).derivative(1),
-        );
-        Jet {
-            value: Vec2::new(u[0].re, u[1].re),
-            gradient: u.map(|c| c.eps.0.map_or([0.0; 2], |v| [v[0], v[1]])),
-        }
+        let u = self.eval(body, DualSVec64::from_re(x.x).derivative(0), DualSVec64::from_re(x.y).derivative(1));
+        Jet { value: Vec2::new(u[0].re, u[1].re), gradient: u.map(|c| c.eps.0.map_or([0.0; 2], |v| [v[0], v[1]])) }
     }
 
     fn jet2(&self, body: Body, x: Point) -> Jet2 {
-        let u = self.eval(
-            body,
-            Dual2SVec64::from_re(x.x).derivative(0),
-            Dual2SVec64::from_re(x.y).derivative(1),
-        );
+        let u = self.eval(body, Dual2SVec64::from_re(x.x).derivative(0), Dual2SVec64::from_re(x.y).derivative(1));
         Jet2 {
             value: Vec2::new(u[0].re, u[1].re),
             gradient: u.map(|c| row(c.v1.0.unwrap_or_else(Matrix1x2::zeros))),
@@ -80,6 +69,8 @@ fn row(v: Matrix1x2<f64>) -> [f64; 2] {
     [v[0], v[1]]
 }
 
+/// The two mixed derivatives are summed in different orders; their mean makes the result symmetric to the last bit.
 fn square(h: Matrix2<f64>) -> [[f64; 2]; 2] {
-    [[h[(0, 0)], h[(0, 1)]], [h[(1, 0)], h[(1, 1)]]]
+    let mixed = 0.5 * (h[(0, 1)] + h[(1, 0)]);
+    [[h[(0, 0)], mixed], [mixed, h[(1, 1)]]]
 }

@@ -48,13 +48,7 @@ pub(super) fn smooth<D: Real>(body: Body, x: D) -> Trace<D> {
         Body::First => (sin * 0.1, cos * 0.2),
         Body::Second => (-(x * x) * 0.05, -x * 0.1),
     };
-    Trace {
-        a,
-        slope_a,
-        w: cos * 0.05,
-        slope_w: -sin * 0.1,
-        p: D::from(0.0),
-    }
+    Trace { a, slope_a, w: cos * 0.05, slope_w: -sin * 0.1, p: D::from(0.0) }
 }
 
 /// `λ + 2μ`.

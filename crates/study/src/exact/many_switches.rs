@@ -44,19 +44,11 @@ impl Field for ManySwitches {
 
     fn break_lines(&self) -> Vec<Segment> {
         let n = self.cells;
-        self.numbers()
-            .flat_map(|j| [j / n, (j + SIGMA) / n])
-            .skip(1)
-            .map(|x| vertical(x, 1.0 / n))
-            .collect()
+        self.numbers().flat_map(|j| [j / n, (j + SIGMA) / n]).skip(1).map(|x| vertical(x, 1.0 / n)).collect()
     }
 
     fn switch_points(&self) -> Vec<Point> {
         let n = self.cells;
-        self.numbers()
-            .flat_map(|j| [j / n, (j + SIGMA) / n])
-            .skip(1)
-            .map(|x| Point::new(x, 0.0))
-            .collect()
+        self.numbers().flat_map(|j| [j / n, (j + SIGMA) / n]).skip(1).map(|x| Point::new(x, 0.0)).collect()
     }
 }

@@ -2,6 +2,7 @@
 
 mod built_in;
 mod cell;
+mod condition;
 pub mod derived;
 mod differences;
 mod expression;

@@ -72,8 +72,5 @@ fn singular<D: Real>(lame: Lame, x: D, y: D) -> [D; 2] {
     let (p, q) = polar.complex_root();
     // Z = i ζ^{1/2} = −q + i p;  Ẑ = (2i/3) ζ^{3/2} = (2/3)(−(Xq + Yp) + i (Xp − Yq))
     let potential = [-(x * q + y * p) * (2.0 / 3.0), (x * p - y * q) * (2.0 / 3.0)];
-    [
-        (potential[0] * (0.5 * (kappa - 1.0)) - y * p) * scale,
-        (potential[1] * (0.5 * (kappa + 1.0)) + y * q) * scale,
-    ]
+    [(potential[0] * (0.5 * (kappa - 1.0)) - y * p) * scale, (potential[1] * (0.5 * (kappa + 1.0)) + y * q) * scale]
 }

@@ -22,10 +22,7 @@ pub(super) struct Values<'a> {
 
 impl<'a> Values<'a> {
     /// Refuses a name that is not allowed.
-    pub(super) fn new(
-        allowed: &'static [Parameter],
-        given: &'a BTreeMap<String, f64>,
-    ) -> Result<Self, String> {
+    pub(super) fn new(allowed: &'static [Parameter], given: &'a BTreeMap<String, f64>) -> Result<Self, String> {
         let known = |name: &str| allowed.iter().any(|p| p.name == name);
         match given.keys().find(|name| !known(name)) {
             Some(name) => Err(unknown(name, allowed)),
@@ -41,8 +38,7 @@ impl<'a> Values<'a> {
 
     /// The value of `name`, given or by default.
     pub(super) fn get(&self, name: &str) -> Result<f64, String> {
-        self.optional(name)
-            .ok_or_else(|| format!("parameter {name} is missing; {}", list(self.allowed)))
+        self.optional(name).ok_or_else(|| format!("parameter {name} is missing; {}", list(self.allowed)))
     }
 }
 
@@ -80,11 +76,7 @@ pub(super) fn whole(name: &str, value: f64, low: f64, high: f64) -> Result<(), S
 }
 
 fn check(name: &str, value: f64, valid: bool, bound: &str) -> Result<(), String> {
-    if valid {
-        Ok(())
-    } else {
-        Err(format!("{name} = {value} must satisfy {bound}"))
-    }
+    if valid { Ok(()) } else { Err(format!("{name} = {value} must satisfy {bound}")) }
 }
 
 /// The allowed parameters with meaning and default, for messages.

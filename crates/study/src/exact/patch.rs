@@ -33,8 +33,7 @@ impl CornerPatch {
         Self {
             strain: lame.map(|l| {
                 // ε = τ/(2μ) − λ tr τ/(4μ(λ+μ)) I
-                let spherical =
-                    l.lambda * (stress[0] + stress[1]) / (4.0 * l.mu * (l.lambda + l.mu));
+                let spherical = l.lambda * (stress[0] + stress[1]) / (4.0 * l.mu * (l.lambda + l.mu));
                 let s = stress.map(|t| t / (2.0 * l.mu));
                 [s[0] - spherical, s[1] - spherical, s[2]]
             }),
@@ -46,4 +45,5 @@ impl Field for CornerPatch {
     fn eval<D: Real>(&self, body: Body, x: D, y: D) -> [D; 2] {
         let [e11, e22, e12] = self.strain[body.index()];
         [x * e11 + y * e12, x * e12 + y * e22]
-    }}
+    }
+}

@@ -16,24 +16,21 @@ impl<D: Real> Polar<D> {
     /// `None` at the origin itself.
     pub(super) fn new(x: D, y: D) -> Option<Self> {
         let squared = x * x + y * y;
-        (squared.re() > 0.0).then(|| Self {
-            x,
-            y,
-            squared,
-            r: sqrt(squared),
-        })
+        (squared.re() > 0.0).then(|| Self { x, y, squared, r: sqrt(squared) })
     }
 
     /// Real and imaginary part of `ζ^{1/2}`, `ζ = X + iY`.
     pub(super) fn complex_root(&self) -> (D, D) {
-        // (ζ^{1/2})² = X + iY gives p² = (r+X)/2, 2pq = Y; the larger of p, q first, so that nothing cancels.
-        if self.x.re() >= 0.0 {
-            let p = sqrt((self.r + self.x) * 0.5);
-            (p, self.y / p * 0.5)
-        } else {
-            let q = sqrt((self.r - self.x) * 0.5);
-            (self.y / q * 0.5, q)
-        }
+        let [p, q] = root(self.x.re(), self.y.re(), self.r.re());
+        // f' = ½ ζ^{−1/2} = ½ conj(f)/r,  f'' = −f'/(2ζ) = −½ f' conj(ζ)/r²
+        let half = 0.5 / self.r.re();
+        let (a, b) = (p * half, -q * half);
+        let (x, y) = (half * self.x.re(), half * self.y.re());
+        let (c, d) = (-(a * x + b * y) / self.r.re(), -(b * x - a * y) / self.r.re());
+        // ∂_x f = f', ∂_y f = i f', ∂_yy f = −f''
+        let real = D::chain_plane(self.x, self.y, p, [a, -b], [c, -d, -c]);
+        let imaginary = D::chain_plane(self.x, self.y, q, [b, a], [d, c, -d]);
+        (real, imaginary)
     }
 
     /// `(sin θ, (1+cos θ)/2, (1−cos θ)/2)`.
@@ -52,6 +49,17 @@ impl<D: Real> Polar<D> {
     /// `r^α`.
     pub(super) fn radius_power(&self, alpha: f64) -> D {
         power(self.squared, 0.5 * alpha)
+    }
+}
+
+/// `ζ^{1/2} = p + iq`: `p² − q² = X`, `2pq = Y`; the larger of the two first, so that nothing cancels.
+fn root(x: f64, y: f64, r: f64) -> [f64; 2] {
+    if x >= 0.0 {
+        let p = (0.5 * (r + x)).sqrt();
+        [p, 0.5 * y / p]
+    } else {
+        let q = (0.5 * (r - x)).sqrt();
+        [0.5 * y / q, q]
     }
 }
 

@@ -48,7 +48,7 @@ impl Field for Polynomial {
         };
         let mut trace = smooth(body, x);
         if x.re() > s {
-            // w = q ± share g, g = (x−s)^k
+            // w = q + share g, g = (x−s)^k
             let slope = positive_power(x - s, self.k - 1.0);
             trace.w += slope * (x - s) * share;
             trace.slope_w += slope * (self.k * share);
@@ -57,9 +57,7 @@ impl Field for Polynomial {
             trace.p = positive_power(-x + s, self.m) * -PRESSURE;
         }
         let chi = cutoff(y);
-        trace
-            .extended(self.lame[body.index()], y)
-            .map(|u| u * chi)
+        trace.extended(self.lame[body.index()], y).map(|u| u * chi)
     }
 
     fn break_lines(&self) -> Vec<Segment> {
@@ -85,8 +83,5 @@ impl Field for Polynomial {
 
 /// The segment from `(x, −half)` to `(x, half)`, through both bodies.
 pub(super) fn vertical(x: f64, half: f64) -> Segment {
-    Segment {
-        a: Point::new(x, -half),
-        b: Point::new(x, half),
-    }
+    Segment { a: Point::new(x, -half), b: Point::new(x, half) }
 }

@@ -56,10 +56,7 @@ impl PowerLaw {
         match body {
             Body::First => {
                 let open = plus * GAP;
-                [
-                    growth * sine * open * -self.alpha,
-                    growth * (open - pressed),
-                ]
+                [growth * sine * open * -self.alpha, growth * (open - pressed)]
             }
             Body::Second => [D::from(0.0), growth * pressed],
         }
@@ -87,9 +84,6 @@ impl Field for PowerLaw {
         if self.alpha > 1.0 {
             return Vec::new();
         }
-        vec![format!(
-            "α = {}: the body force is not square integrable near the switch point",
-            self.alpha
-        )]
+        vec![format!("α = {}: the body force is not square integrable near the switch point", self.alpha)]
     }
 }

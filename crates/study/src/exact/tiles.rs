@@ -40,12 +40,7 @@ impl Tiles {
         parameters::above("power", power, 0.5, 2.0)?;
         parameters::whole("tiles", tiles, 1.0, MOST_TILES)?;
         let weights = (0..tiles as i32).map(|j| weight(beta, power, j)).collect();
-        Ok(Self {
-            beta,
-            power,
-            weights,
-            lame,
-        })
+        Ok(Self { beta, power, weights, lame })
     }
 
     /// How many tiles a mesh of size `h` can see: up to and with the first `d_j < h/8`.
@@ -63,10 +58,7 @@ impl Tiles {
     /// disjoint supports, so their seminorms relate like their weights.
     pub fn dropped_share(&self) -> f64 {
         let squares = |from: usize, to: usize| -> f64 {
-            (from..to)
-                .rev()
-                .map(|j| weight(self.beta, self.power, j as i32).powi(2))
-                .sum()
+            (from..to).rev().map(|j| weight(self.beta, self.power, j as i32).powi(2)).sum()
         };
         // d_j^{2q} falls at least like 2^{−j}: beyond 200 more tiles nothing is left.
         let kept = self.weights.len();
@@ -130,10 +122,7 @@ impl Field for Tiles {
     }
 
     fn switch_points(&self) -> Vec<Point> {
-        self.sizes()
-            .flat_map(|d| [(1.0 + SIGMA) * d, d])
-            .map(|t| Point::new(switch() + t, 0.0))
-            .collect()
+        self.sizes().flat_map(|d| [(1.0 + SIGMA) * d, d]).map(|t| Point::new(switch() + t, 0.0)).collect()
     }
 
     fn notes(&self) -> Vec<String> {

@@ -4,12 +4,14 @@
 //! 1e-9 of the largest displacement or stress seen there. Beside it: the derivatives that the solution reports against
 //! differences of its own values. A value that is not finite is refused wherever it is met.
 
+pub use super::condition::{Condition, VerifyError};
+
+use super::condition::demand;
 use super::derived::{apply, stress};
 use super::differences::{self, Scales};
 use super::{Exact, Jet2};
 use signorini_contact::geometry::{Segment, right_normal, segments, tangent_of};
 use signorini_contact::{Body, Material, Point, Vec2};
-use std::fmt;
 
 /// Points per contact segment.
 const POINTS: usize = 257;
@@ -39,133 +41,19 @@ pub struct Verification {
     pub complementarity: f64,
 }
 
-/// The conditions that are checked.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Condition {
-    /// Values and derivatives are numbers.
-    Finite,
-    /// `n·(u' − u'') ≤ 0`.
-    NoPenetration,
-    /// `T_n ≤ 0`.
-    NoTension,
-    /// `T'_n = T''_n`.
-    Reaction,
-    /// `T_t = 0`.
-    NoFriction,
-    /// `T_n n·(u' − u'') = 0`.
-    Complementarity,
-    /// `∇u` is the gradient of `u`.
-    Gradient,
-    /// `∇∇u` is the gradient of `∇u`.
-    Hessian,
-}
-
-/// The first condition that fails.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct VerifyError {
-    /// Which condition.
-    pub condition: Condition,
-    /// The body, where it concerns one.
-    pub body: Option<Body>,
-    /// Where.
-    pub at: Point,
-    /// The value that breaks the condition.
-    pub value: f64,
-    /// The largest value allowed.
-    pub bound: f64,
-}
-
-impl Condition {
-    /// The quantity in words and letters, what it must be, and where to look.
-    fn words(self) -> (&'static str, &'static str, &'static str) {
-        match self {
-            Self::Finite => (
-                "value or derivative",
-                "must be finite",
-                "declare the point as singular, or mend the expression there",
-            ),
-            Self::NoPenetration => (
-                "jump n·(u' − u'')",
-                "must not exceed 0",
-                "the bodies overlap; check the sign of the gap and which body is Ω'",
-            ),
-            Self::NoTension => (
-                "contact stress T_n",
-                "must not exceed 0",
-                "the bodies pull on each other; check the sign of the pressure",
-            ),
-            Self::Reaction => (
-                "difference T'_n − T''_n",
-                "must be 0",
-                "both bodies need the same contact stress; check the Lamé constants of each",
-            ),
-            Self::NoFriction => (
-                "tangential traction T_t",
-                "must be 0",
-                "the paper has no friction; the shear stress on the contact zone must vanish in each body",
-            ),
-            Self::Complementarity => (
-                "product T_n n·(u' − u'')",
-                "must be 0",
-                "pressure acts across an open gap; their supports overlap",
-            ),
-            Self::Gradient => (
-                "difference of ∇u and the slope of u",
-                "must be 0",
-                "first derivatives do not belong to the displacement; is a break line or singular point undeclared?",
-            ),
-            Self::Hessian => (
-                "difference of ∇∇u and the slope of ∇u",
-                "must be 0",
-                "second derivatives do not belong to the displacement; is a break line or singular point undeclared?",
-            ),
-        }
-    }
-}
-
-impl fmt::Display for VerifyError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (quantity, demand, hint) = self.condition.words();
-        let body = match self.body {
-            Some(Body::First) => " of Ω'",
-            Some(Body::Second) => " of Ω''",
-            None => "",
-        };
-        write!(
-            f,
-            "at x = ({}, {}): {quantity}{body} = {:.3e}, {demand} within {:.1e}; hint: {hint}",
-            self.at.x, self.at.y, self.value, self.bound
-        )
-    }
-}
-
-impl std::error::Error for VerifyError {}
-
 /// Checks `exact` with the materials of both bodies on the contact polyline, which has `Ω'` on its left.
 ///
 /// # Errors
 /// The first condition that fails, in the order of [`Condition`] and then along the polyline.
-pub fn verify(
-    exact: &dyn Exact,
-    materials: &[Material; 2],
-    contact: &[Point],
-) -> Result<Verification, VerifyError> {
+pub fn verify(exact: &dyn Exact, materials: &[Material; 2], contact: &[Point]) -> Result<Verification, VerifyError> {
     let samples = sampled(exact, materials, contact)?;
     let result = measured(&samples);
-    let checks: [(Condition, f64, fn(&Sample) -> Residual); 5] = [
-        (Condition::NoPenetration, result.displacement, |s| {
-            (None, s.jump)
-        }),
+    let checks: [Check; 5] = [
+        (Condition::NoPenetration, result.displacement, |s| (None, s.jump)),
+        (Condition::Reaction, result.stress, |s| (None, (s.normal[0] - s.normal[1]).abs())),
         (Condition::NoTension, result.stress, Sample::tension),
-        (Condition::Reaction, result.stress, |s| {
-            (None, (s.normal[0] - s.normal[1]).abs())
-        }),
         (Condition::NoFriction, result.stress, Sample::friction),
-        (
-            Condition::Complementarity,
-            result.stress * result.displacement,
-            |s| (None, s.work()),
-        ),
+        (Condition::Complementarity, result.stress * result.displacement, |s| (None, s.work())),
     ];
     for (condition, scale, residual) in checks {
         let bound = TOLERANCE * scale;
@@ -183,6 +71,9 @@ pub fn verify(
 
 /// A value and the body that it belongs to.
 type Residual = (Option<Body>, f64);
+
+/// A condition, the scale of its tolerance and the residual that must not exceed it.
+type Check = (Condition, f64, fn(&Sample) -> Residual);
 
 /// Everything at one point of the contact zone.
 struct Sample {
@@ -207,10 +98,7 @@ impl Sample {
         Self {
             at,
             jets,
-            size: [
-                u[0].norm().max(u[1].norm()),
-                tau.iter().flatten().fold(0.0, |m: f64, t| m.max(t.abs())),
-            ],
+            size: [u[0].norm().max(u[1].norm()), tau.iter().flatten().fold(0.0, |m: f64, t| m.max(t.abs()))],
             jump: n.dot(&(u[0] - u[1])),
             normal: forces.map(|t| n.dot(&t)),
             tangential: forces.map(|t| tangent_of(n).dot(&t)),
@@ -236,11 +124,7 @@ fn larger(values: [f64; 2]) -> Residual {
 }
 
 /// The samples of every segment; all of them finite.
-fn sampled(
-    exact: &dyn Exact,
-    materials: &[Material; 2],
-    contact: &[Point],
-) -> Result<Vec<Sample>, VerifyError> {
+fn sampled(exact: &dyn Exact, materials: &[Material; 2], contact: &[Point]) -> Result<Vec<Sample>, VerifyError> {
     let singular = exact.singular_points();
     let mut all = Vec::new();
     for segment in segments(contact) {
@@ -253,14 +137,7 @@ fn sampled(
             for body in Body::BOTH {
                 let bad = not_finite(&sample.jets[body.index()]);
                 let value = bad.unwrap_or(0.0);
-                demand(
-                    bad.is_none(),
-                    Condition::Finite,
-                    Some(body),
-                    at,
-                    value,
-                    f64::MAX,
-                )?;
+                demand(bad.is_none(), Condition::Finite, Some(body), at, value, f64::MAX)?;
             }
             all.push(sample);
         }
@@ -279,12 +156,7 @@ fn points(segment: Segment) -> impl Iterator<Item = Point> {
 /// The first entry of a jet that is no finite number.
 pub(super) fn not_finite(jet: &Jet2) -> Option<f64> {
     let second = jet.hessian.iter().flatten().flatten();
-    jet.value
-        .iter()
-        .chain(jet.gradient.iter().flatten())
-        .chain(second)
-        .copied()
-        .find(|v| !v.is_finite())
+    jet.value.iter().chain(jet.gradient.iter().flatten()).chain(second).copied().find(|v| !v.is_finite())
 }
 
 fn measured(samples: &[Sample]) -> Verification {
@@ -302,25 +174,4 @@ fn measured(samples: &[Sample]) -> Verification {
         tangential: relative(largest(&|s| s.friction().1), stress),
         complementarity: relative(largest(&Sample::work), stress * displacement),
     }
-}
-
-/// An error unless the condition holds; a NaN never makes it hold.
-pub(super) fn demand(
-    holds: bool,
-    condition: Condition,
-    body: Option<Body>,
-    at: Point,
-    value: f64,
-    bound: f64,
-) -> Result<(), VerifyError> {
-    if holds {
-        return Ok(());
-    }
-    Err(VerifyError {
-        condition,
-        body,
-        at,
-        value,
-        bound,
-    })
 }

@@ -18,11 +18,7 @@ impl fmt::Display for ExprError {
         // Line breaks and tabs count as one character each, so that the caret stays under its column.
         let line: String = self.text.chars().map(flat).collect();
         let indent = " ".repeat(self.column.saturating_sub(1));
-        write!(
-            f,
-            "{} (column {})\n  {line}\n  {indent}^",
-            self.message, self.column
-        )
+        write!(f, "{} (column {})\n  {line}\n  {indent}^", self.message, self.column)
     }
 }
 

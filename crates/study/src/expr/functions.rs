@@ -60,8 +60,7 @@ pub(super) const FUNCTIONS: [(&str, Callable); 21] = [
 ];
 
 /// Named constants.
-pub(super) const CONSTANTS: [(&str, f64); 2] =
-    [("pi", std::f64::consts::PI), ("e", std::f64::consts::E)];
+pub(super) const CONSTANTS: [(&str, f64); 2] = [("pi", std::f64::consts::PI), ("e", std::f64::consts::E)];
 
 impl Callable {
     /// Smallest and largest number of arguments.
@@ -114,11 +113,7 @@ fn arc_sine<D: Real>(x: D) -> D {
 }
 
 fn positive<D: Real>(x: D) -> D {
-    if x.re() > 0.0 || x.re().is_nan() {
-        x
-    } else {
-        D::from(0.0)
-    }
+    if x.re() > 0.0 || x.re().is_nan() { x } else { D::from(0.0) }
 }
 
 fn sign(t: f64) -> f64 {

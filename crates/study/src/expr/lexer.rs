@@ -16,9 +16,7 @@ pub(super) enum Token {
 }
 
 /// Longer symbols first, so that `<=` is not read as `<`.
-const SYMBOLS: [&str; 14] = [
-    "<=", ">=", "==", "!=", "<", ">", "+", "-", "*", "/", "^", "(", ")", ",",
-];
+const SYMBOLS: [&str; 14] = ["<=", ">=", "==", "!=", "<", ">", "+", "-", "*", "/", "^", "(", ")", ","];
 
 /// The tokens with their columns (characters from 1); the last one is [`Token::End`].
 pub(super) fn tokens(text: &str) -> Result<Vec<(Token, usize)>, ExprError> {
@@ -30,11 +28,8 @@ pub(super) fn tokens(text: &str) -> Result<Vec<(Token, usize)>, ExprError> {
             at += 1;
             continue;
         }
-        let (token, length) = next(&chars[at..]).map_err(|message| ExprError {
-            message,
-            column: at + 1,
-            text: text.to_string(),
-        })?;
+        let (token, length) =
+            next(&chars[at..]).map_err(|message| ExprError { message, column: at + 1, text: text.to_string() })?;
         found.push((token, at + 1));
         at += length;
     }

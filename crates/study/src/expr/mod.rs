@@ -51,17 +51,9 @@ impl Expression {
     ///
     /// # Errors
     /// The first thing that makes no sense, with its column.
-    pub fn parse(
-        text: &str,
-        variables: &[&str],
-        parameters: &BTreeMap<String, f64>,
-    ) -> Result<Self, ExprError> {
+    pub fn parse(text: &str, variables: &[&str], parameters: &BTreeMap<String, f64>) -> Result<Self, ExprError> {
         let root = parser::parse(text, variables, parameters)?;
-        Ok(Self {
-            text: text.to_string(),
-            variables: variables.len(),
-            root,
-        })
+        Ok(Self { text: text.to_string(), variables: variables.len(), root })
     }
 
     /// The value at `variables`, in the order in which they were named; outside the domain of a function it is NaN.
@@ -69,12 +61,7 @@ impl Expression {
     /// # Panics
     /// If fewer values are given than variables were named.
     pub fn eval<D: Real>(&self, variables: &[D]) -> D {
-        assert!(
-            variables.len() >= self.variables,
-            "{} values for {} variables",
-            variables.len(),
-            self.variables
-        );
+        assert!(variables.len() >= self.variables, "{} values for {} variables", variables.len(), self.variables);
         self.root.eval(variables)
     }
 

@@ -24,11 +24,7 @@ fn edits(a: &str, b: &str) -> usize {
                 let replaced = d[i - 1][j - 1] + usize::from(a[i - 1] != b[j - 1]);
                 let best = replaced.min(d[i - 1][j] + 1).min(d[i][j - 1] + 1);
                 let swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
-                if swapped {
-                    best.min(d[i - 2][j - 2] + 1)
-                } else {
-                    best
-                }
+                if swapped { best.min(d[i - 2][j - 2] + 1) } else { best }
             };
         }
     }
@@ -41,13 +37,9 @@ mod tests {
 
     #[test]
     fn edits_count_swaps_as_one() {
-        for (a, b, n) in [
-            ("sin", "sin", 0),
-            ("sni", "sin", 1),
-            ("", "abc", 3),
-            ("sqr", "sqrt", 1),
-            ("Alpha", "beta", 4),
-        ] {
+        for (a, b, n) in
+            [("sin", "sin", 0), ("sni", "sin", 1), ("", "abc", 3), ("sqr", "sqrt", 1), ("Alpha", "beta", 4)]
+        {
             assert_eq!(edits(a, b), n, "{a} {b}");
             assert_eq!(edits(b, a), n, "{b} {a}");
         }

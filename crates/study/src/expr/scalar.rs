@@ -9,10 +9,18 @@ pub trait Real: DualNum<Primitive = f64> + DualStruct<Real = f64> + Copy + Send 
     /// the directions in which `self` does not move: `0 · ∞` counts as 0.
     #[must_use]
     fn chain(self, f0: f64, f1: f64, f2: f64) -> Self;
+
+    /// `f(x, y)`, given `f`, its derivatives `f_x, f_y` and `f_xx, f_xy, f_yy` at the values of `x` and `y`, all finite.
+    #[must_use]
+    fn chain_plane(x: Self, y: Self, f0: f64, f1: [f64; 2], f2: [f64; 3]) -> Self;
 }
 
 impl Real for f64 {
     fn chain(self, f0: f64, _: f64, _: f64) -> Self {
+        f0
+    }
+
+    fn chain_plane(_: Self, _: Self, f0: f64, _: [f64; 2], _: [f64; 3]) -> Self {
         f0
     }
 }
@@ -21,11 +29,13 @@ impl Real for DualSVec64<2> {
     #[inline]
     fn chain(self, f0: f64, f1: f64, _: f64) -> Self {
         // ∂_i f = f' ∂_i x
-        let eps = self
-            .eps
-            .0
-            .map(|v| Vector2::new(times(v[0], f1), times(v[1], f1)));
+        let eps = self.eps.0.map(|v| Vector2::new(times(v[0], f1), times(v[1], f1)));
         Self::new(f0, Derivative::new(eps))
+    }
+
+    #[inline]
+    fn chain_plane(x: Self, y: Self, f0: f64, f1: [f64; 2], _: [f64; 3]) -> Self {
+        Self::new(f0, x.eps * f1[0] + y.eps * f1[1])
     }
 }
 
@@ -38,16 +48,29 @@ impl Real for Dual2SVec64<2> {
         let first = Matrix1x2::new(times(v[0], f1), times(v[1], f1));
         // ∂_i ∂_j f = f'' ∂_i x ∂_j x + f' ∂_i ∂_j x
         let h = self.v2.0.unwrap_or_else(Matrix2::zeros);
-        let entry = |i: usize, j: usize| times(v[i] * v[j], f2) + times(h[(i, j)], f1);
-        let mixed = entry(0, 1);
-        let second = Matrix2::new(entry(0, 0), mixed, mixed, entry(1, 1));
+        let entry = |vv: f64, h: f64| times(vv, f2) + times(h, f1);
+        let mixed = entry(v[0] * v[1], h[2]);
+        let second = Matrix2::new(entry(v[0] * v[0], h[0]), mixed, mixed, entry(v[1] * v[1], h[3]));
         Self::new(f0, Derivative::some(first), Derivative::some(second))
+    }
+
+    #[inline]
+    fn chain_plane(x: Self, y: Self, f0: f64, f1: [f64; 2], f2: [f64; 3]) -> Self {
+        let a = x.v1.0.unwrap_or_else(Matrix1x2::zeros);
+        let b = y.v1.0.unwrap_or_else(Matrix1x2::zeros);
+        // ∂_i ∂_j f = f_xx a_i a_j + f_xy (a_i b_j + b_i a_j) + f_yy b_i b_j + f_x ∂_i ∂_j x + f_y ∂_i ∂_j y
+        let bend = |i: usize, j: usize| f2[0] * a[i] * a[j] + f2[1] * (a[i] * b[j] + b[i] * a[j]) + f2[2] * b[i] * b[j];
+        let mixed = bend(0, 1);
+        let second = Matrix2::new(bend(0, 0), mixed, mixed, bend(1, 1));
+        Self::new(f0, x.v1 * f1[0] + y.v1 * f1[1], Derivative::some(second) + x.v2 * f1[0] + y.v2 * f1[1])
     }
 }
 
+/// `a f`, but 0 for `a = 0` whatever `f` is.
 #[inline]
 fn times(a: f64, f: f64) -> f64 {
-    if a == 0.0 { 0.0 } else { a * f }
+    let product = a * f;
+    if product.is_nan() && a == 0.0 { 0.0 } else { product }
 }
 
 /// `√x`; at 0 the derivatives are infinite.
@@ -55,11 +78,7 @@ fn times(a: f64, f: f64) -> f64 {
 pub fn sqrt<D: Real>(x: D) -> D {
     let root = x.re().sqrt();
     let slope = 0.5 / root;
-    let bend = if x.re() == 0.0 {
-        f64::NEG_INFINITY
-    } else {
-        -0.5 * slope / x.re()
-    };
+    let bend = if x.re() == 0.0 { f64::NEG_INFINITY } else { -0.5 * slope / x.re() };
     x.chain(root, slope, bend)
 }
 
@@ -71,11 +90,7 @@ pub fn power<D: Real>(x: D, n: f64) -> D {
     if n.fract() == 0.0 && n.abs() <= 1024.0 {
         let n = n as i32;
         let (c1, c2) = (f64::from(n), f64::from(n) * f64::from(n - 1));
-        x.chain(
-            t.powi(n),
-            coefficient(c1, || t.powi(n - 1)),
-            coefficient(c2, || t.powi(n - 2)),
-        )
+        x.chain(t.powi(n), coefficient(c1, || t.powi(n - 1)), coefficient(c2, || t.powi(n - 2)))
     } else if t > 0.0 {
         // f' = n f/x, f'' = (n−1) f'/x: one call of the library's power in place of three.
         let f0 = t.powf(n);
@@ -83,11 +98,7 @@ pub fn power<D: Real>(x: D, n: f64) -> D {
         x.chain(f0, f1, (n - 1.0) * f1 / t)
     } else {
         let (c1, c2) = (n, n * (n - 1.0));
-        x.chain(
-            t.powf(n),
-            coefficient(c1, || t.powf(n - 1.0)),
-            coefficient(c2, || t.powf(n - 2.0)),
-        )
+        x.chain(t.powf(n), coefficient(c1, || t.powf(n - 1.0)), coefficient(c2, || t.powf(n - 2.0)))
     }
 }
 
@@ -100,11 +111,7 @@ fn coefficient(c: f64, f: impl Fn() -> f64) -> f64 {
 /// `(x)_+^n`; zero with all its derivatives for `x ≤ 0`.
 #[inline]
 pub fn positive_power<D: Real>(x: D, n: f64) -> D {
-    if x.re() > 0.0 {
-        power(x, n)
-    } else {
-        D::from(0.0)
-    }
+    if x.re() > 0.0 { power(x, n) } else { D::from(0.0) }
 }
 
 /// The angle of `(x, y)` in `[−π, π]`. The sign of a zero `y` does not count: on the negative axis the angle is `π`.
@@ -115,11 +122,7 @@ pub fn atan2<D: Real>(y: D, x: D) -> D {
         return (y + x).chain(angle, f64::NAN, f64::NAN);
     }
     // Divide by the larger of the two and shift the value to the right branch.
-    let turned = if a.abs() >= b.abs() {
-        (y / x).atan()
-    } else {
-        -(x / y).atan()
-    };
+    let turned = if a.abs() >= b.abs() { (y / x).atan() } else { -(x / y).atan() };
     turned + (angle - turned.re())
 }
 
@@ -165,12 +168,22 @@ mod tests {
             assert!((f1 - n * t.powf(n - 1.0)).abs() <= 1e-14 * f1.abs());
             assert!((f2 - n * (n - 1.0) * t.powf(n - 2.0)).abs() <= 1e-13 * f2.abs());
         }
-        assert_eq!(
-            parts(power(variable(-2.0), 3.0)),
-            (-8.0, 12.0, -12.0),
-            "whole exponents take a negative base"
-        );
+        assert_eq!(parts(power(variable(-2.0), 3.0)), (-8.0, 12.0, -12.0), "whole exponents take a negative base");
         assert!(power(-2.0, 0.5).is_nan());
+    }
+
+    /// Against products of the number type itself, for curved `x`, `y`.
+    #[test]
+    fn a_function_of_two_numbers_has_the_chain_rule() {
+        let s = Dual2SVec64::<2>::from_re(0.7).derivative(0);
+        let t = Dual2SVec64::<2>::from_re(-1.3).derivative(1);
+        let (x, y) = (s * t, t * t + s);
+        let (a, b) = (x.re, y.re);
+        let expected = x * x * y;
+        let got = Dual2SVec64::chain_plane(x, y, a * a * b, [2.0 * a * b, a * a], [2.0 * b, 2.0 * a, 0.0]);
+        assert!((got.re - expected.re).abs() < 1e-15);
+        assert!((got.v1.0.unwrap() - expected.v1.0.unwrap()).norm() < 1e-14);
+        assert!((got.v2.0.unwrap() - expected.v2.0.unwrap()).norm() < 1e-13);
     }
 
     #[test]

@@ -63,12 +63,7 @@ fn precedence_follows_the_usual_rules() {
 #[test]
 fn only_the_branch_taken_is_evaluated() {
     let d = parse("if(x > s, (x-s)^1.5, 0)").unwrap();
-    let at = |x: f64| {
-        d.eval(&[
-            Dual2SVec64::<2>::from_re(x).derivative(0),
-            Dual2SVec64::from_re(0.0).derivative(1),
-        ])
-    };
+    let at = |x: f64| d.eval(&[Dual2SVec64::<2>::from_re(x).derivative(0), Dual2SVec64::from_re(0.0).derivative(1)]);
     assert_eq!(at(0.1).re, 0.0);
     assert!(at(0.1).v1.0.is_none(), "no NaN from the other branch");
     assert!((at(0.65).re - 0.125).abs() < 1e-15);
@@ -99,10 +94,7 @@ fn derivatives_agree_with_differences() {
 }
 
 fn gradient(e: &Expression, x: f64, y: f64) -> [f64; 2] {
-    let d = e.eval(&[
-        DualSVec64::<2>::from_re(x).derivative(0),
-        DualSVec64::from_re(y).derivative(1),
-    ]);
+    let d = e.eval(&[DualSVec64::<2>::from_re(x).derivative(0), DualSVec64::from_re(y).derivative(1)]);
     d.eps.0.map_or([0.0; 2], |v| [v[0], v[1]])
 }
 
@@ -115,20 +107,13 @@ fn check_gradient(e: &Expression, x: f64, y: f64) {
     let exact = gradient(e, x, y);
     for i in 0..2 {
         let error = (difference[i] - exact[i]).abs();
-        assert!(
-            error < 1e-8 * (1.0 + exact[i].abs()),
-            "{}: {error:e}",
-            e.text()
-        );
+        assert!(error < 1e-8 * (1.0 + exact[i].abs()), "{}: {error:e}", e.text());
     }
 }
 
 fn check_hessian(e: &Expression, x: f64, y: f64) {
     let h = 1e-5;
-    let d = e.eval(&[
-        Dual2SVec64::<2>::from_re(x).derivative(0),
-        Dual2SVec64::from_re(y).derivative(1),
-    ]);
+    let d = e.eval(&[Dual2SVec64::<2>::from_re(x).derivative(0), Dual2SVec64::from_re(y).derivative(1)]);
     let hessian = d.v2.0.unwrap_or_else(nalgebra::Matrix2::zeros);
     for (k, (dx, dy)) in [(h, 0.0), (0.0, h)].into_iter().enumerate() {
         let (after, before) = (gradient(e, x + dx, y + dy), gradient(e, x - dx, y - dy));
@@ -154,10 +139,7 @@ fn powers_at_zero_are_finite_where_the_limit_is() {
         let got = gradient(&parse(text).unwrap(), 0.0, 0.7);
         assert_eq!(got, [slope, 0.0], "{text}");
     }
-    assert_eq!(
-        gradient(&parse("sqrt(x)").unwrap(), 0.0, 0.7),
-        [f64::INFINITY, 0.0]
-    );
+    assert_eq!(gradient(&parse("sqrt(x)").unwrap(), 0.0, 0.7), [f64::INFINITY, 0.0]);
 }
 
 #[test]
@@ -185,11 +167,7 @@ fn errors_say_what_and_where() {
         ("x < y", 1, "a condition stands where a number"),
         ("1 + (x < y)", 5, "a condition stands where a number"),
         ("if(0 < x < 1, 1, 2)", 10, "do not chain"),
-        (
-            "if(x < 1 and y, 1, 2)",
-            14,
-            "a number stands where a condition",
-        ),
+        ("if(x < 1 and y, 1, 2)", 14, "a number stands where a condition"),
         ("x * * y", 5, "found `*`"),
         ("and", 1, "where a number is expected"),
         ("max(x,, y)", 7, "found `,`"),
@@ -212,13 +190,9 @@ fn the_caret_stands_under_the_column() {
 fn depth_is_bounded_and_length_is_not() {
     let deep = |n: usize| format!("{}x{}", "(".repeat(n), ")".repeat(n));
     assert!(parse(&deep(60)).is_ok());
-    for text in [
-        deep(100_000),
-        "-".repeat(100_000),
-        "2^".repeat(100_000),
-        "sin(".repeat(100_000),
-        "not ".repeat(100_000),
-    ] {
+    for text in
+        [deep(100_000), "-".repeat(100_000), "2^".repeat(100_000), "sin(".repeat(100_000), "not ".repeat(100_000)]
+    {
         let error = parse(&text).unwrap_err();
         assert!(error.message.contains("nested deeper"), "{}", error.message);
     }
@@ -231,17 +205,14 @@ fn depth_is_bounded_and_length_is_not() {
 #[test]
 fn no_text_panics() {
     let pieces = [
-        "x", "y", "s", "1", "2.5", "1e-3", "+", "-", "*", "/", "^", "(", ")", ",", "<", "==",
-        "if(", "min(", "sin(", "atan2(", "and", "or", "not", " ", "é", "\n", "!", "0", "pow(",
-        "pos(",
+        "x", "y", "s", "1", "2.5", "1e-3", "+", "-", "*", "/", "^", "(", ")", ",", "<", "==", "if(", "min(", "sin(",
+        "atan2(", "and", "or", "not", " ", "é", "\n", "!", "0", "pow(", "pos(",
     ];
     let mut random = Lcg(1979);
     let mut accepted = 0;
     for _ in 0..20_000 {
         let length = random.below(14) + 1;
-        let text: String = (0..length)
-            .map(|_| pieces[random.below(pieces.len())])
-            .collect();
+        let text: String = (0..length).map(|_| pieces[random.below(pieces.len())]).collect();
         if let Ok(e) = parse(&text) {
             accepted += 1;
             evaluate_everywhere(&e);
@@ -262,10 +233,7 @@ struct Lcg(u64);
 
 impl Lcg {
     fn below(&mut self, n: usize) -> usize {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         ((self.0 >> 33) % n as u64) as usize
     }
 }

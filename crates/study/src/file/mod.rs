@@ -11,7 +11,10 @@ mod canonical;
 mod error;
 mod exact;
 mod field;
+<<<<<<< HEAD
 mod fixed;
+=======
+>>>>>>> main
 mod judge;
 mod layer;
 pub mod library;

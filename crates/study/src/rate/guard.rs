@@ -38,9 +38,7 @@ pub enum NoFit {
         floor: f64,
     },
     /// Two levels have the same error to ten digits.
-    #[error(
-        "levels {first} and {second} have the same error {error:.6e}: was one solution measured twice?"
-    )]
+    #[error("levels {first} and {second} have the same error {error:.6e}: was one solution measured twice?")]
     Repeated {
         /// Coarser level.
         first: usize,
@@ -75,10 +73,7 @@ pub enum NoFit {
 /// The first of the reasons of [`NoFit`], in the order above.
 pub fn check(points: &[Point], floor: f64, needed: usize) -> Result<(), NoFit> {
     if points.len() < needed {
-        return Err(NoFit::TooFew {
-            usable: points.len(),
-            needed,
-        });
+        return Err(NoFit::TooFew { usable: points.len(), needed });
     }
     points.iter().try_for_each(|p| positive(p, floor))?;
     points.windows(2).try_for_each(|p| refined(&p[0], &p[1]))?;
@@ -91,11 +86,7 @@ fn positive(p: &Point, floor: f64) -> Result<(), NoFit> {
         return Err(NoFit::NotPositive { level, error });
     }
     if error <= floor {
-        return Err(NoFit::Rounding {
-            level,
-            error,
-            floor,
-        });
+        return Err(NoFit::Rounding { level, error, floor });
     }
     Ok(())
 }
@@ -115,15 +106,8 @@ fn refined(coarse: &Point, fine: &Point) -> Result<(), NoFit> {
 }
 
 fn distinct(before: &[Point], p: &Point) -> Result<(), NoFit> {
-    match before
-        .iter()
-        .find(|q| (q.error - p.error).abs() <= REPEATED * p.error)
-    {
-        Some(q) => Err(NoFit::Repeated {
-            first: q.level,
-            second: p.level,
-            error: p.error,
-        }),
+    match before.iter().find(|q| (q.error - p.error).abs() <= REPEATED * p.error) {
+        Some(q) => Err(NoFit::Repeated { first: q.level, second: p.level, error: p.error }),
         None => Ok(()),
     }
 }

@@ -18,14 +18,8 @@ impl Line {
         let n = points.len() as f64;
         let mean_x = points.iter().map(|p| p.0).sum::<f64>() / n;
         let mean_y = points.iter().map(|p| p.1).sum::<f64>() / n;
-        let moment = |f: fn(f64, f64) -> f64| -> f64 {
-            points.iter().map(|p| f(p.0 - mean_x, p.1 - mean_y)).sum()
-        };
-        let (sxx, sxy, syy) = (
-            moment(|x, _| x * x),
-            moment(|x, y| x * y),
-            moment(|_, y| y * y),
-        );
+        let moment = |f: fn(f64, f64) -> f64| -> f64 { points.iter().map(|p| f(p.0 - mean_x, p.1 - mean_y)).sum() };
+        let (sxx, sxy, syy) = (moment(|x, _| x * x), moment(|x, y| x * y), moment(|_, y| y * y));
         // slope = S_xy / S_xx
         let slope = sxy / sxx;
         let residual = |p: &(f64, f64)| (p.1 - mean_y) - slope * (p.0 - mean_x);

@@ -78,11 +78,7 @@ pub fn fit_above(points: &[Point], floor: f64) -> Result<Rate, NoFit> {
         levels: chosen.iter().map(|p| p.level).collect(),
         intercept: line.intercept,
         r2: line.r2,
-        pairwise: points[1..]
-            .iter()
-            .map(|p| p.level)
-            .zip(pairwise.iter().copied())
-            .collect(),
+        pairwise: points[1..].iter().map(|p| p.level).zip(pairwise.iter().copied()).collect(),
         // mean second difference: (r_last − r_first) / (number of changes)
         curvature: (inner[inner.len() - 1] - inner[0]) / (inner.len() - 1) as f64,
         dofs_slope: Line::through(&logs(chosen, |p| (p.dofs as f64).powf(-0.5))).slope,
@@ -92,18 +88,12 @@ pub fn fit_above(points: &[Point], floor: f64) -> Result<Rate, NoFit> {
 
 /// `log(e_{i−1}/e_i) / log(h_{i−1}/h_i)` for each successive pair.
 fn pairwise_rates(points: &[Point]) -> Vec<f64> {
-    points
-        .windows(2)
-        .map(|p| (p[0].error / p[1].error).ln() / (p[0].h / p[1].h).ln())
-        .collect()
+    points.windows(2).map(|p| (p[0].error / p[1].error).ln() / (p[0].h / p[1].h).ln()).collect()
 }
 
 /// Pairs `(log size, log error)`.
 fn logs(points: &[Point], size: impl Fn(&Point) -> f64) -> Vec<(f64, f64)> {
-    points
-        .iter()
-        .map(|p| (size(p).ln(), p.error.ln()))
-        .collect()
+    points.iter().map(|p| (size(p).ln(), p.error.ln())).collect()
 }
 
 #[cfg(test)]

@@ -13,12 +13,7 @@ pub fn points(levels: &[Level], norm: &str) -> Vec<Point> {
     usable
         .filter_map(|l| {
             let error = l.errors.size(norm)?;
-            Some(Point {
-                level: l.level,
-                h: l.h,
-                dofs: l.dofs,
-                error,
-            })
+            Some(Point { level: l.level, h: l.h, dofs: l.dofs, error })
         })
         .collect()
 }
@@ -27,10 +22,7 @@ pub fn points(levels: &[Level], norm: &str) -> Vec<Point> {
 /// and where `‖u‖_A` is not known.
 pub fn rounding_floor(levels: &[Level], norm: &str) -> f64 {
     let comparable = matches!(norm, "strain" | "energy" | "h1");
-    let size = levels
-        .iter()
-        .filter_map(|l| l.solution_energy)
-        .fold(0.0, f64::max);
+    let size = levels.iter().filter_map(|l| l.solution_energy).fold(0.0, f64::max);
     if comparable { ROUNDING * size } else { 0.0 }
 }
 
@@ -45,21 +37,13 @@ pub fn fit_levels(levels: &[Level], norm: &str) -> Result<Rate, NoFit> {
 /// Every rate that the levels can carry by name of the norm, and under `dofs` the rate of the claim's `norm`
 /// against `dofs^{-1/2}` in place of `h`.
 pub fn all(levels: &[Level], norm: &str) -> BTreeMap<String, Rate> {
-    let named = Errors::NORMS
-        .iter()
-        .map(|name| (*name, fit_levels(levels, name)));
+    let named = Errors::NORMS.iter().map(|name| (*name, fit_levels(levels, name)));
     let dofs = ("dofs", fit_dofs(levels, norm));
-    named
-        .chain([dofs])
-        .filter_map(|(name, rate)| Some((name.to_string(), rate.ok()?)))
-        .collect()
+    named.chain([dofs]).filter_map(|(name, rate)| Some((name.to_string(), rate.ok()?))).collect()
 }
 
 fn fit_dofs(levels: &[Level], norm: &str) -> Result<Rate, NoFit> {
-    let against_dofs = |p: Point| Point {
-        h: (p.dofs as f64).powf(-0.5),
-        ..p
-    };
+    let against_dofs = |p: Point| Point { h: (p.dofs as f64).powf(-0.5), ..p };
     let points: Vec<Point> = points(levels, norm).into_iter().map(against_dofs).collect();
     fit_above(&points, rounding_floor(levels, norm))
 }

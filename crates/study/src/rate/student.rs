@@ -10,10 +10,7 @@ use std::f64::consts::{FRAC_2_PI, FRAC_PI_2};
 /// # Panics
 /// If `df = 0` or `p` lies outside `[½, 1)`.
 pub fn quantile(p: f64, df: usize) -> f64 {
-    assert!(
-        df > 0 && (0.5..1.0).contains(&p),
-        "no t quantile for p = {p}, df = {df}"
-    );
+    assert!(df > 0 && (0.5..1.0).contains(&p), "no t quantile for p = {p}, df = {df}");
     let wanted = 2.0 * p - 1.0;
     let (mut low, mut high) = (0.0, FRAC_PI_2);
     loop {
@@ -33,7 +30,7 @@ pub fn quantile(p: f64, df: usize) -> f64 {
 /// `P(|T| ≤ √df tan θ)`.
 fn central(theta: f64, df: usize) -> f64 {
     let (sin, cos) = theta.sin_cos();
-    if df % 2 == 0 {
+    if df.is_multiple_of(2) {
         // sin θ {1 + 1/2 cos² θ + (1·3)/(2·4) cos⁴ θ + … + cos^{df−2} θ}
         sin * series(1.0, cos * cos, 1, df / 2)
     } else {
@@ -70,11 +67,7 @@ mod tests {
             (30, 2.042272456),
         ];
         for (df, t) in table {
-            assert!(
-                (quantile(0.975, df) - t).abs() < 1e-9,
-                "df {df}: {}",
-                quantile(0.975, df)
-            );
+            assert!((quantile(0.975, df) - t).abs() < 1e-9, "df {df}: {}", quantile(0.975, df));
         }
     }
 
@@ -89,17 +82,9 @@ mod tests {
             let n = 2000;
             let step = t / n as f64;
             let weight = |i: usize| {
-                if i == 0 || i == n {
-                    1.0
-                } else {
-                    2.0 + 2.0 * (i % 2) as f64
-                }
+                if i == 0 || i == n { 1.0 } else { 2.0 + 2.0 * (i % 2) as f64 }
             };
-            let half: f64 = (0..=n)
-                .map(|i| weight(i) * density(i as f64 * step))
-                .sum::<f64>()
-                * step
-                / 3.0;
+            let half: f64 = (0..=n).map(|i| weight(i) * density(i as f64 * step)).sum::<f64>() * step / 3.0;
             assert!((0.5 + half - p).abs() < 1e-10, "p {p}: {}", 0.5 + half);
         }
     }

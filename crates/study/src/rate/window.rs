@@ -15,16 +15,9 @@ pub(super) struct Window {
 ///
 /// `pairwise[i]` is the rate from level `i` to level `i + 1`; at least `MIN_LEVELS − 1` of them.
 pub(super) fn choose(pairwise: &[f64]) -> Window {
-    let settled = pairwise
-        .windows(2)
-        .rev()
-        .take_while(|r| (r[1] - r[0]).abs() < DRIFT)
-        .count();
+    let settled = pairwise.windows(2).rev().take_while(|r| (r[1] - r[0]).abs() < DRIFT).count();
     // k small changes join k + 1 pairwise rates, and these k + 2 levels
     let length = settled + 2;
     let levels = pairwise.len() + 1;
-    Window {
-        start: levels - length.max(MIN_LEVELS),
-        asymptotic: length >= MIN_LEVELS,
-    }
+    Window { start: levels - length.max(MIN_LEVELS), asymptotic: length >= MIN_LEVELS }
 }

@@ -39,9 +39,7 @@ mod tests {
 
     fn names(folder: &Path) -> Vec<String> {
         let entries = fs::read_dir(folder).unwrap();
-        entries
-            .map(|e| e.unwrap().file_name().into_string().unwrap())
-            .collect()
+        entries.map(|e| e.unwrap().file_name().into_string().unwrap()).collect()
     }
 
     #[test]
@@ -60,10 +58,7 @@ mod tests {
         // a folder with contents cannot be replaced by a file
         let path = scratch.0.join("record.json");
         fs::create_dir_all(path.join("inside")).unwrap();
-        assert!(matches!(
-            write_atomic(&path, "new"),
-            Err(StoreError::Io { .. })
-        ));
+        assert!(matches!(write_atomic(&path, "new"), Err(StoreError::Io { .. })));
         assert_eq!(names(&scratch.0), ["record.json"]);
         assert_eq!(names(&path), ["inside"]);
     }

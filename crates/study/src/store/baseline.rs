@@ -23,8 +23,8 @@ pub struct Baseline {
 /// Stored numbers of a case.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct BaselineCase {
-    /// Hash of the resolved scene.
-    pub scene_hash: String,
+    /// Hash of the resolved scene, where the writer knew it.
+    pub scene_hash: Option<String>,
     /// Profile of the run.
     pub profile: String,
     /// From the coarsest to the finest.
@@ -63,7 +63,7 @@ impl Baseline {
         version: &str,
     ) -> Option<Self> {
         let case = |r: &StudyRecord| {
-            let scene_hash = scene_hashes.get(&r.case).cloned().unwrap_or_default();
+            let scene_hash = scene_hashes.get(&r.case).cloned();
             (r.case.clone(), BaselineCase::of(r, scene_hash))
         };
         Some(Self {
@@ -87,11 +87,7 @@ impl Baseline {
     /// [`StoreError`] where it cannot be read or is malformed.
     pub fn read(folder: &Path, study: &str) -> Result<Option<Self>, StoreError> {
         let path = Self::path(folder, study)?;
-        if path.is_file() {
-            read_json(&path).map(Some)
-        } else {
-            Ok(None)
-        }
+        if path.is_file() { read_json(&path).map(Some) } else { Ok(None) }
     }
 
     /// Writes it in `folder` and returns the file.
@@ -106,16 +102,12 @@ impl Baseline {
 }
 
 impl BaselineCase {
-    fn of(record: &StudyRecord, scene_hash: String) -> Self {
+    fn of(record: &StudyRecord, scene_hash: Option<String>) -> Self {
         Self {
             scene_hash,
             profile: record.profile.clone(),
             levels: record.levels.iter().map(BaselineLevel::from).collect(),
-            rates: record
-                .rates
-                .iter()
-                .map(|(name, rate)| (name.clone(), rate.slope))
-                .collect(),
+            rates: record.rates.iter().map(|(name, rate)| (name.clone(), rate.slope)).collect(),
         }
     }
 }

@@ -86,8 +86,7 @@ mod scratch {
 
     impl Scratch {
         pub fn new(test: &str) -> Self {
-            let path =
-                std::env::temp_dir().join(format!("signorini-{test}-{}", std::process::id()));
+            let path = std::env::temp_dir().join(format!("signorini-{test}-{}", std::process::id()));
             std::fs::create_dir_all(&path).expect("the temporary folder can be written");
             Self(path)
         }

@@ -13,11 +13,7 @@ const FILE: &str = "record.json";
 /// [`StoreError::Name`] where study or case cannot name a folder.
 pub fn record_folder(root: &Path, record: &StudyRecord) -> Result<PathBuf, StoreError> {
     let folder = root.join(plain(&record.study)?);
-    Ok(if record.several {
-        folder.join(plain(&record.case)?)
-    } else {
-        folder
-    })
+    Ok(if record.several { folder.join(plain(&record.case)?) } else { folder })
 }
 
 /// Writes a record to its place below `root` and returns the file.
@@ -50,11 +46,7 @@ pub fn read_records(root: &Path) -> Result<Vec<StudyRecord>, StoreError> {
         paths.push(study.join(FILE));
         paths.extend(folders(&study)?.into_iter().map(|case| case.join(FILE)));
     }
-    paths
-        .iter()
-        .filter(|p| p.is_file())
-        .map(|p| read_record(p))
-        .collect()
+    paths.iter().filter(|p| p.is_file()).map(|p| read_record(p)).collect()
 }
 
 /// Folders in `folder` that are not hidden, sorted by name.
@@ -94,19 +86,11 @@ mod tests {
     #[test]
     fn a_tree_of_records_is_read_back_in_order() {
         let scratch = Scratch::new("tree");
-        let written = [
-            record("a", "a"),
-            record("b", "alpha-1.5"),
-            record("b", "structured"),
-            record("c", "c"),
-        ];
+        let written = [record("a", "a"), record("b", "alpha-1.5"), record("b", "structured"), record("c", "c")];
         for r in written.iter().rev() {
             write_record(&scratch.0, r).unwrap();
         }
-        assert!(
-            scratch.0.join("a/record.json").is_file()
-                && scratch.0.join("b/alpha-1.5/record.json").is_file()
-        );
+        assert!(scratch.0.join("a/record.json").is_file() && scratch.0.join("b/alpha-1.5/record.json").is_file());
         fs::create_dir_all(scratch.0.join("a/.partial")).unwrap();
         fs::write(scratch.0.join("a/.partial/record.json"), "half a rec").unwrap();
         assert_eq!(read_records(&scratch.0).unwrap(), written);
@@ -119,10 +103,7 @@ mod tests {
         fs::write(&path, "{").unwrap();
         let error = read_records(&scratch.0).unwrap_err().to_string();
         assert!(error.contains("record.json"), "{error}");
-        assert!(matches!(
-            read_records(&scratch.0.join("nowhere")),
-            Err(StoreError::Io { .. })
-        ));
+        assert!(matches!(read_records(&scratch.0.join("nowhere")), Err(StoreError::Io { .. })));
     }
 
     #[test]
@@ -131,13 +112,7 @@ mod tests {
         let mut bad = record("a", "a");
         bad.levels[0].errors.l2 = Some(f64::NAN);
         let refused = write_record(&scratch.0, &bad);
-        assert!(matches!(
-            refused,
-            Err(StoreError::Content {
-                source: RecordError::NonFinite { .. },
-                ..
-            })
-        ));
+        assert!(matches!(refused, Err(StoreError::Content { source: RecordError::NonFinite { .. }, .. })));
         assert!(!scratch.0.join("a").exists());
     }
 

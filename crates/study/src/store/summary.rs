@@ -105,17 +105,8 @@ mod tests {
         let rows = read_summary(&scratch.0).unwrap();
         assert_eq!(rows.len(), 2);
         assert_eq!(rows[0].rate, Some(fitted.rates["strain"].slope));
-        assert_eq!(
-            (rows[0].reference.as_str(), rows[0].paper),
-            ("exact", Some(1.0))
-        );
-        assert_eq!(
-            (rows[1].case.as_str(), rows[1].rate, rows[1].low),
-            ("structured", None, None)
-        );
-        assert_eq!(
-            (rows[1].outcome, rows[1].expect),
-            (Outcome::Inconclusive, Some(Outcome::Inconclusive))
-        );
+        assert_eq!((rows[0].reference.as_str(), rows[0].paper), ("exact", Some(1.0)));
+        assert_eq!((rows[1].case.as_str(), rows[1].rate, rows[1].low), ("structured", None, None));
+        assert_eq!((rows[1].outcome, rows[1].expect), (Outcome::Inconclusive, Some(Outcome::Inconclusive)));
     }
 }

@@ -14,25 +14,16 @@ const MIN_LEVELS: usize = 3;
 /// The constant of the given name on a level: `b_over_h2` is `|b|/h²` of the ledger, any other name an error's own size.
 pub fn constant(level: &Level, norm: &str) -> Option<f64> {
     match norm {
-        "b_over_h2" => level
-            .ledger
-            .as_ref()
-            .map(|t| t.b.abs() / (level.h * level.h)),
+        "b_over_h2" => level.ledger.as_ref().map(|t| t.b.abs() / (level.h * level.h)),
         _ => level.errors.size(norm),
     }
 }
 
 /// Rule of the kind `bounded`.
 pub(super) fn judge(input: &JudgeInput) -> Verdict {
-    let constants: Vec<f64> = input
-        .usable()
-        .filter_map(|l| constant(l, input.norm))
-        .collect();
+    let constants: Vec<f64> = input.usable().filter_map(|l| constant(l, input.norm)).collect();
     if constants.len() < MIN_LEVELS {
-        return inconclusive(vec![format!(
-            "{} usable levels, {MIN_LEVELS} are needed",
-            constants.len()
-        )]);
+        return inconclusive(vec![format!("{} usable levels, {MIN_LEVELS} are needed", constants.len())]);
     }
     let broken = ledger::broken(input);
     if !broken.is_empty() {
@@ -55,14 +46,6 @@ pub(super) fn judge(input: &JudgeInput) -> Verdict {
 
 fn within(input: &JudgeInput, largest: f64, reference: f64, name: &str) -> Verdict {
     let spread = input.gates.spread;
-    let finding = format!(
-        "{} reaches {largest:.3e}; {spread} times {name} is {:.3e}",
-        input.norm,
-        spread * reference
-    );
-    if largest <= spread * reference {
-        pass(vec![finding])
-    } else {
-        fail(vec![finding])
-    }
+    let finding = format!("{} reaches {largest:.3e}; {spread} times {name} is {:.3e}", input.norm, spread * reference);
+    if largest <= spread * reference { pass(vec![finding]) } else { fail(vec![finding]) }
 }

@@ -10,11 +10,7 @@ const MIN_LEVELS: usize = 3;
 /// Rule of the kind `convergence`.
 pub(super) fn judge(input: &JudgeInput) -> Verdict {
     let points = rate::points(input.levels, input.norm);
-    if let Err(why) = rate::check(
-        &points,
-        rate::rounding_floor(input.levels, input.norm),
-        MIN_LEVELS,
-    ) {
+    if let Err(why) = rate::check(&points, rate::rounding_floor(input.levels, input.norm), MIN_LEVELS) {
         return inconclusive(vec![format!("{} error: {why}", input.norm)]);
     }
     let fall = input.gates.fall;
@@ -31,10 +27,7 @@ pub(super) fn judge(input: &JudgeInput) -> Verdict {
         return fail(failures);
     }
     let slowest = points.windows(2).map(factor).fold(0.0, f64::max);
-    let mut reasons = vec![format!(
-        "each {} error is at most {slowest:.3} of the level before",
-        input.norm
-    )];
+    let mut reasons = vec![format!("each {} error is at most {slowest:.3} of the level before", input.norm)];
     reasons.extend(ledger::undecided(input));
     pass(reasons)
 }

@@ -10,17 +10,13 @@ pub(super) fn judge(input: &JudgeInput) -> Verdict {
         match (level.errors.energy, level.solution_energy) {
             (Some(error), Some(size)) if size > 0.0 => relative.push((level.level, error / size)),
             _ => {
-                return inconclusive(vec![format!(
-                    "level {}: no energy error or no ‖u‖_A to scale it",
-                    level.level
-                )]);
+                return inconclusive(vec![format!("level {}: no energy error or no ‖u‖_A to scale it", level.level)]);
             }
         }
     }
     if relative.iter().all(|(_, r)| *r == 0.0) {
         return inconclusive(vec![
-            "the error is exactly zero on every level: was the solution compared with itself?"
-                .into(),
+            "the error is exactly zero on every level: was the solution compared with itself?".into(),
         ]);
     }
     let tolerance = input.gates.exact_tolerance;
@@ -32,8 +28,5 @@ pub(super) fn judge(input: &JudgeInput) -> Verdict {
         return fail(failures);
     }
     let largest = relative.iter().fold(0.0_f64, |m, (_, r)| m.max(*r));
-    pass(vec![format!(
-        "energy error at most {largest:.2e} of ‖u‖_A on {} levels",
-        relative.len()
-    )])
+    pass(vec![format!("energy error at most {largest:.2e} of ‖u‖_A on {} levels", relative.len())])
 }

@@ -23,19 +23,12 @@ fn reason(level: &Level, gates: &Gates) -> Option<String> {
 
 /// "the `part` error is … of the measured error, more than …".
 pub(super) fn over_budget(part: &str, share: f64, gates: &Gates) -> String {
-    format!(
-        "{part} error is {:.1} % of the measured error, more than {:.1} %",
-        100.0 * share,
-        100.0 * gates.share
-    )
+    format!("{part} error is {:.1} % of the measured error, more than {:.1} %", 100.0 * share, 100.0 * gates.share)
 }
 
 /// Parts of the budget above their share; none where the measured error itself is rounding, since shares of rounding
 /// mean nothing.
-pub(super) fn broken_parts<'a>(
-    level: &Level,
-    gates: &'a Gates,
-) -> impl Iterator<Item = (&'static str, f64)> + use<'a> {
+pub(super) fn broken_parts<'a>(level: &Level, gates: &'a Gates) -> impl Iterator<Item = (&'static str, f64)> + use<'a> {
     let b = &level.budget;
     let parts = [
         ("algebraic", b.algebraic),
@@ -47,10 +40,8 @@ pub(super) fn broken_parts<'a>(
     parts
         .into_iter()
         .filter_map(|(part, share)| Some((part, share?)))
-        // `!(≤)`: a NaN share is a broken one
-        .filter(move |(_, share)| {
-            !rounding && share.partial_cmp(&gates.share).is_none_or(|o| o.is_gt())
-        })
+        // a NaN share compares with nothing and is a broken one
+        .filter(move |(_, share)| !rounding && share.partial_cmp(&gates.share).is_none_or(|o| o.is_gt()))
 }
 
 /// Whether the energy error is within [`Gates::exact_tolerance`] of the solution's norm.

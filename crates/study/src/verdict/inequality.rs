@@ -11,11 +11,7 @@ pub const VANISHES: f64 = 1e-12;
 
 /// Rule of the kind `inequality`.
 pub(super) fn judge(input: &JudgeInput) -> Verdict {
-    if input.norm == "ledger" {
-        ledger_holds(input)
-    } else {
-        vanishes(input)
-    }
+    if input.norm == "ledger" { ledger_holds(input) } else { vanishes(input) }
 }
 
 fn ledger_holds(input: &JudgeInput) -> Verdict {
@@ -24,65 +20,35 @@ fn ledger_holds(input: &JudgeInput) -> Verdict {
         return fail(broken);
     }
     let mut doubts = ledger::undecided(input);
-    doubts.extend(
-        input
-            .levels
-            .iter()
-            .filter(|l| l.ledger.is_none())
-            .map(|l| format!("level {}: no ledger", l.level)),
-    );
+    doubts.extend(input.levels.iter().filter(|l| l.ledger.is_none()).map(|l| format!("level {}: no ledger", l.level)));
     // a level left out of the fit has a ledger that nobody looked at
-    doubts.extend(
-        input
-            .levels
-            .iter()
-            .filter_map(|l| Some(format!("level {}: {}", l.level, l.excluded.as_ref()?))),
-    );
+    doubts.extend(input.levels.iter().filter_map(|l| Some(format!("level {}: {}", l.level, l.excluded.as_ref()?))));
     if !doubts.is_empty() {
         return inconclusive(doubts);
     }
-    pass(vec![format!(
-        "½A(e,e) ≤ a + b + c on {} levels",
-        input.levels.len()
-    )])
+    pass(vec![format!("½A(e,e) ≤ a + b + c on {} levels", input.levels.len())])
 }
 
 fn vanishes(input: &JudgeInput) -> Verdict {
     let mut relative = Vec::new();
     for level in input.levels {
         match (level.errors.size(input.norm), level.solution_trace) {
-            (Some(value), Some(scale)) if scale > 0.0 => {
-                relative.push((level.level, value / scale))
-            }
+            (Some(value), Some(scale)) if scale > 0.0 => relative.push((level.level, value / scale)),
             _ => {
-                return inconclusive(vec![format!(
-                    "level {}: no {} or no scale for it",
-                    level.level, input.norm
-                )]);
+                return inconclusive(vec![format!("level {}: no {} or no scale for it", level.level, input.norm)]);
             }
         }
     }
     let mut failures = ledger::broken(input);
-    failures.extend(
-        relative
-            .iter()
-            .filter(|(_, r)| *r > VANISHES)
-            .map(|(level, r)| {
-                format!(
-                    "level {level}: {} is {r:.2e} of the displacement, more than {VANISHES:.0e}",
-                    input.norm
-                )
-            }),
-    );
+    failures.extend(relative.iter().filter(|(_, r)| *r > VANISHES).map(|(level, r)| {
+        format!("level {level}: {} is {r:.2e} of the displacement, more than {VANISHES:.0e}", input.norm)
+    }));
     if !failures.is_empty() {
         return fail(failures);
     }
     let largest = relative.iter().fold(0.0_f64, |m, (_, r)| m.max(*r));
-    let mut reasons = vec![format!(
-        "{} at most {largest:.2e} of the displacement on {} levels",
-        input.norm,
-        relative.len()
-    )];
+    let mut reasons =
+        vec![format!("{} at most {largest:.2e} of the displacement on {} levels", input.norm, relative.len())];
     reasons.extend(ledger::undecided(input));
     pass(reasons)
 }

@@ -13,17 +13,12 @@ pub(super) fn undecided(input: &JudgeInput) -> Vec<String> {
 }
 
 fn on_levels(input: &JudgeInput, holds: Option<bool>, how: &str) -> Vec<String> {
-    let ledgers = input
-        .usable()
-        .filter_map(|l| Some((l.level, l.ledger.as_ref()?)));
+    let ledgers = input.usable().filter_map(|l| Some((l.level, l.ledger.as_ref()?)));
     ledgers
         .filter(|(_, t)| t.holds == holds)
         .map(|(level, t)| {
             let right = t.a + t.b + t.c;
-            format!(
-                "level {level}: ½A(e,e) ≤ a + b + c {how}: {:.9e} against {right:.9e}",
-                t.lhs
-            )
+            format!("level {level}: ½A(e,e) ≤ a + b + c {how}: {:.9e} against {right:.9e}", t.lhs)
         })
         .collect()
 }

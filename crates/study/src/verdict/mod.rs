@@ -70,24 +70,15 @@ pub fn judge(input: &JudgeInput) -> Verdict {
 }
 
 fn pass(reasons: Vec<String>) -> Verdict {
-    Verdict {
-        outcome: Outcome::Pass,
-        reasons,
-    }
+    Verdict { outcome: Outcome::Pass, reasons }
 }
 
 fn fail(reasons: Vec<String>) -> Verdict {
-    Verdict {
-        outcome: Outcome::Fail,
-        reasons,
-    }
+    Verdict { outcome: Outcome::Fail, reasons }
 }
 
 fn inconclusive(reasons: Vec<String>) -> Verdict {
-    Verdict {
-        outcome: Outcome::Inconclusive,
-        reasons,
-    }
+    Verdict { outcome: Outcome::Inconclusive, reasons }
 }
 
 #[cfg(test)]

@@ -29,17 +29,10 @@ pub(super) fn judge(input: &JudgeInput) -> Verdict {
         }
     };
     let Some((gate, source)) = gate(input.bounds) else {
-        return inconclusive(vec![format!(
-            "{}; no bound to judge it by",
-            describe(&rate)
-        )]);
+        return inconclusive(vec![format!("{}; no bound to judge it by", describe(&rate))]);
     };
     let wanted = gate - input.gates.rate_tolerance;
-    let finding = format!(
-        "{} against {gate:.3} − {:.3} ({source})",
-        describe(&rate),
-        input.gates.rate_tolerance
-    );
+    let finding = format!("{} against {gate:.3} − {:.3} ({source})", describe(&rate), input.gates.rate_tolerance);
 
     let mut failures = ledger::broken(input);
     failures.extend(below(&rate, wanted).then(|| format!("too slow: {finding}")));
@@ -51,16 +44,11 @@ pub(super) fn judge(input: &JudgeInput) -> Verdict {
     reasons.extend(ledger::undecided(input));
     reasons.extend(without_ceiling(input, &rate));
     if !reaches(&rate, wanted) {
-        reasons.insert(
-            0,
-            "neither the interval nor the pairwise rates decide".into(),
-        );
+        reasons.insert(0, "neither the interval nor the pairwise rates decide".into());
         return inconclusive(reasons);
     }
     match too_good(&rate, input.bounds) {
-        Some(why) if input.expected_is_asymptotic => {
-            reasons.push(format!("{why}, expected of large sizes only"))
-        }
+        Some(why) if input.expected_is_asymptotic => reasons.push(format!("{why}, expected of large sizes only")),
         Some(why) => {
             reasons.insert(0, why);
             return inconclusive(reasons);
@@ -72,36 +60,20 @@ pub(super) fn judge(input: &JudgeInput) -> Verdict {
 
 /// The bound that judges, and whose it is.
 pub fn gate(bounds: &Bounds) -> Option<(f64, &'static str)> {
-    let named = [
-        (bounds.paper, "the paper"),
-        (bounds.today, "today's bound"),
-        (bounds.expected, "expected"),
-    ];
-    named
-        .into_iter()
-        .find_map(|(bound, source)| Some((bound?, source)))
+    let named = [(bounds.paper, "the paper"), (bounds.today, "today's bound"), (bounds.expected, "expected")];
+    named.into_iter().find_map(|(bound, source)| Some((bound?, source)))
 }
 
 fn describe(rate: &Rate) -> String {
     let (first, last) = (rate.levels[0], rate.levels[rate.levels.len() - 1]);
-    let state = if rate.asymptotic {
-        ""
-    } else {
-        ", not asymptotic"
-    };
-    format!(
-        "rate {:.3} [{:.3}, {:.3}] on levels {first}–{last}{state}",
-        rate.slope, rate.low, rate.high
-    )
+    let state = if rate.asymptotic { "" } else { ", not asymptotic" };
+    format!("rate {:.3} [{:.3}, {:.3}] on levels {first}–{last}{state}", rate.slope, rate.low, rate.high)
 }
 
 /// The pairwise rates inside the window.
 fn inside(rate: &Rate) -> impl Iterator<Item = f64> + '_ {
     let first = rate.levels[0];
-    rate.pairwise
-        .iter()
-        .filter(move |(finer, _)| *finer > first)
-        .map(|(_, r)| *r)
+    rate.pairwise.iter().filter(move |(finer, _)| *finer > first).map(|(_, r)| *r)
 }
 
 /// The finest pairwise rate, and what it becomes one level further if the trend of the window goes on.
@@ -122,12 +94,8 @@ fn reaches(rate: &Rate, wanted: f64) -> bool {
 
 fn too_good(rate: &Rate, bounds: &Bounds) -> Option<String> {
     let expected = bounds.expected?;
-    (rate.slope > expected + TOO_GOOD).then(|| {
-        format!(
-            "too good: rate {:.3} where {expected:.3} is expected",
-            rate.slope
-        )
-    })
+    (rate.slope > expected + TOO_GOOD)
+        .then(|| format!("too good: rate {:.3} where {expected:.3} is expected", rate.slope))
 }
 
 /// Levels of the window where `√A(e,e) > ceiling · √A(u−u_I, u−u_I)`.
@@ -135,10 +103,7 @@ fn above_ceiling(input: &JudgeInput, rate: &Rate) -> Vec<String> {
     let Some(ceiling) = input.gates.ceiling else {
         return Vec::new();
     };
-    let window = input
-        .levels
-        .iter()
-        .filter(|l| rate.levels.contains(&l.level));
+    let window = input.levels.iter().filter(|l| rate.levels.contains(&l.level));
     window
         .filter_map(|l| Some((l.level, l.errors.energy?, l.errors.interpolation?)))
         .filter(|(_, error, interpolation)| *error > ceiling * interpolation)
@@ -151,13 +116,7 @@ fn above_ceiling(input: &JudgeInput, rate: &Rate) -> Vec<String> {
 /// A remark where a ceiling is stated and some level of the window has nothing to hold it against.
 fn without_ceiling(input: &JudgeInput, rate: &Rate) -> Option<String> {
     input.gates.ceiling?;
-    let mut window = input
-        .levels
-        .iter()
-        .filter(|l| rate.levels.contains(&l.level));
+    let mut window = input.levels.iter().filter(|l| rate.levels.contains(&l.level));
     let unknown = window.find(|l| l.errors.energy.is_none() || l.errors.interpolation.is_none())?;
-    Some(format!(
-        "level {}: no interpolation error, the ceiling is not checked",
-        unknown.level
-    ))
+    Some(format!("level {}: no interpolation error, the ceiling is not checked", unknown.level))
 }

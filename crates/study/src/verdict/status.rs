@@ -63,11 +63,7 @@ mod tests {
             (Fail, Some(Inconclusive), Fail),
         ];
         for (outcome, expect, counts_as) in table {
-            assert_eq!(
-                effective(outcome, expect),
-                counts_as,
-                "{outcome:?} {expect:?}"
-            );
+            assert_eq!(effective(outcome, expect), counts_as, "{outcome:?} {expect:?}");
         }
     }
 
@@ -90,18 +86,9 @@ mod tests {
     #[test]
     fn exit_status_by_the_contract() {
         assert_eq!(exit_status(&[]), 2);
-        assert_eq!(
-            exit_status(&[case(Pass, None, false), case(Fail, Some(Fail), false)]),
-            0
-        );
-        assert_eq!(
-            exit_status(&[case(Inconclusive, None, false), case(Pass, None, false)]),
-            2
-        );
-        assert_eq!(
-            exit_status(&[case(Inconclusive, None, false), case(Fail, None, false)]),
-            1
-        );
+        assert_eq!(exit_status(&[case(Pass, None, false), case(Fail, Some(Fail), false)]), 0);
+        assert_eq!(exit_status(&[case(Inconclusive, None, false), case(Pass, None, false)]), 2);
+        assert_eq!(exit_status(&[case(Inconclusive, None, false), case(Fail, None, false)]), 1);
         assert_eq!(exit_status(&[case(Inconclusive, None, true)]), 0);
         // the excuse covers doubt, never failure
         assert_eq!(exit_status(&[case(Fail, None, true)]), 1);

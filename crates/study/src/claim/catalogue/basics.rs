@@ -42,11 +42,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         id: "lemma-2-1",
         standing: Standing::Landed,
         statement: "K_h ⊂ K: no penetration between the contact nodes",
-        hypotheses: &[
-            "polygonal bodies",
-            "common nodes on Γ_K",
-            "both constraints at every interior corner of Γ_K",
-        ],
+        hypotheses: &["polygonal bodies", "common nodes on Γ_K", "both constraints at every interior corner of Γ_K"],
         kind: ClaimKind::Inequality,
         norm: "penetration_l2",
         paper: None,

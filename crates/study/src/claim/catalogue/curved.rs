@@ -9,11 +9,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         id: "lemma-3-2",
         standing: Standing::NotYet,
         statement: "‖u − u_I‖_{0,∂Ω} ≤ c h^{3/2} ‖u‖_2",
-        hypotheses: &[
-            "convex domain with C² boundary",
-            "strongly regular family, β = 2",
-            "u ∈ H²",
-        ],
+        hypotheses: &["convex domain with C² boundary", "strongly regular family, β = 2", "u ∈ H²"],
         kind: ClaimKind::Rate,
         norm: "l2",
         paper: Some(1.5),

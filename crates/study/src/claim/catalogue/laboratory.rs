@@ -22,10 +22,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         id: "many-switches",
         standing: Standing::Landed,
         statement: "b ≤ c h² with c independent of h and of the number N of switch points, while ‖T_n‖_∞ |u_n|_{1,∞} N is fixed",
-        hypotheses: &[
-            "those of Theorem 3.1",
-            "finitely many switch points, N of them in scaled copies of one cell",
-        ],
+        hypotheses: &["those of Theorem 3.1", "finitely many switch points, N of them in scaled copies of one cell"],
         kind: ClaimKind::Bounded,
         norm: "b_over_h2",
         paper: None,
@@ -41,8 +38,6 @@ pub(super) const ENTRIES: &[Entry] = &[
         norm: "energy",
         paper: None,
         today: None,
-        sources: &[
-            "Theorem 3.2 in spirit: corners and changes of boundary condition limit the regularity",
-        ],
+        sources: &["Theorem 3.2 in spirit: corners and changes of boundary condition limit the regularity"],
     },
 ];

@@ -1,9 +1,9 @@
 //! From tokens to the tree, by recursive descent.
 
+mod calls;
+
 use super::ExprError;
-use super::functions::{CONSTANTS, Callable, FUNCTIONS};
 use super::lexer::{Token, tokens};
-use super::nearest::nearest;
 use super::tree::{Condition, Node, Relation};
 use std::collections::BTreeMap;
 
@@ -20,29 +20,14 @@ const RELATIONS: [(&str, Relation); 6] = [
 ];
 
 /// The tree of `text`, which must be one number-valued expression.
-pub(super) fn parse(
-    text: &str,
-    variables: &[&str],
-    parameters: &BTreeMap<String, f64>,
-) -> Result<Node, ExprError> {
-    let mut parser = Parser {
-        text,
-        tokens: tokens(text)?,
-        at: 0,
-        depth: 0,
-        variables,
-        parameters,
-    };
+pub(super) fn parse(text: &str, variables: &[&str], parameters: &BTreeMap<String, f64>) -> Result<Node, ExprError> {
+    let mut parser = Parser { text, tokens: tokens(text)?, at: 0, depth: 0, variables, parameters };
     let node = parser.number()?;
     match parser.peek().clone() {
         Token::End => Ok(node),
-        Token::Symbol(")") => {
-            Err(parser.wrong("`)` closes no parenthesis; remove it or add the `(` it belongs to"))
-        }
-        token => Err(parser.wrong(format!(
-            "{} follows a complete expression; an operator such as `*` is missing",
-            describe(&token)
-        ))),
+        Token::Symbol(")") => Err(parser.wrong("`)` closes no parenthesis; remove it or add the `(` it belongs to")),
+        token => Err(parser
+            .wrong(format!("{} follows a complete expression; an operator such as `*` is missing", describe(&token)))),
     }
 }
 
@@ -118,9 +103,7 @@ impl Parser<'_> {
         let right = self.sum()?;
         let right = self.number_of(right, column)?;
         if self.relation().is_some() {
-            return Err(self.wrong(
-                "comparisons do not chain; write `a < b and b < c` in place of `a < b < c`",
-            ));
+            return Err(self.wrong("comparisons do not chain; write `a < b and b < c` in place of `a < b < c`"));
         }
         Ok(Item::Truth(Condition::Compare(relation, left, right)))
     }
@@ -129,10 +112,7 @@ impl Parser<'_> {
         let Token::Symbol(symbol) = self.peek() else {
             return None;
         };
-        RELATIONS
-            .iter()
-            .find(|(s, _)| s == symbol)
-            .map(|&(_, relation)| relation)
+        RELATIONS.iter().find(|(s, _)| s == symbol).map(|&(_, relation)| relation)
     }
 }
 
@@ -168,9 +148,7 @@ impl Parser<'_> {
             let next = part(self)?;
             rest.push((inverted, self.number_of(next, column)?));
         }
-        let constant = std::iter::once(&first)
-            .chain(rest.iter().map(|(_, n)| n))
-            .all(|n| n.constant().is_some());
+        let constant = std::iter::once(&first).chain(rest.iter().map(|(_, n)| n)).all(|n| n.constant().is_some());
         Ok(Item::Number(folded(join(Box::new(first), rest), constant)))
     }
 
@@ -187,10 +165,7 @@ impl Parser<'_> {
             return Ok(Item::Number(inner));
         }
         let constant = inner.constant().is_some();
-        Ok(Item::Number(folded(
-            Node::Negative(Box::new(inner)),
-            constant,
-        )))
+        Ok(Item::Number(folded(Node::Negative(Box::new(inner)), constant)))
     }
 
     fn power(&mut self) -> Parsed<Item> {
@@ -220,137 +195,11 @@ impl Parser<'_> {
                 self.close(open)?;
                 Ok(inner)
             }
-            Token::Name(name) if self.tokens[self.at + 1].0 == Token::Symbol("(") => {
-                self.call(&name)
-            }
+            Token::Name(name) if self.tokens[self.at + 1].0 == Token::Symbol("(") => self.call(&name),
             Token::Name(name) => self.name(&name).map(Item::Number),
             Token::End if self.at == 0 => Err(self.wrong("the expression is empty")),
-            token => Err(self.wrong(format!(
-                "expected a number, a name or `(`, found {}",
-                describe(&token)
-            ))),
+            token => Err(self.wrong(format!("expected a number, a name or `(`, found {}", describe(&token)))),
         }
-    }
-}
-
-/// Names and calls.
-impl Parser<'_> {
-    fn name(&mut self, name: &str) -> Parsed<Node> {
-        let node = if let Some(i) = self.variables.iter().position(|v| *v == name) {
-            Node::Variable(i)
-        } else if let Some(value) = self.parameters.get(name) {
-            Node::Constant(*value)
-        } else if let Some((_, value)) = CONSTANTS.iter().find(|(n, _)| *n == name) {
-            Node::Constant(*value)
-        } else {
-            return Err(self.unknown_name(name));
-        };
-        self.at += 1;
-        Ok(node)
-    }
-
-    fn unknown_name(&self, name: &str) -> ExprError {
-        if FUNCTIONS.iter().any(|(f, _)| *f == name) {
-            return self.wrong(format!(
-                "`{name}` is a function; its arguments follow in parentheses"
-            ));
-        }
-        if matches!(name, "and" | "or" | "not") {
-            return self.wrong(format!("`{name}` stands where a number is expected"));
-        }
-        let known: Vec<&str> = self.known_names();
-        let hint = match nearest(name, known.iter().copied()) {
-            Some(meant) => format!("did you mean `{meant}`? "),
-            None => String::new(),
-        };
-        self.wrong(format!(
-            "unknown name `{name}`; {hint}known here: {}",
-            known.join(", ")
-        ))
-    }
-
-    fn known_names(&self) -> Vec<&str> {
-        let parameters = self.parameters.keys().map(String::as_str);
-        let constants = CONSTANTS.iter().map(|(n, _)| *n);
-        self.variables
-            .iter()
-            .copied()
-            .chain(parameters)
-            .chain(constants)
-            .collect()
-    }
-
-    fn call(&mut self, name: &str) -> Parsed<Item> {
-        let Some(&(_, callable)) = FUNCTIONS.iter().find(|(f, _)| *f == name) else {
-            return Err(self.unknown_function(name));
-        };
-        let start = self.column();
-        self.at += 1;
-        let open = self.column();
-        self.at += 1;
-        let arguments = self.nested(|p| p.arguments(open))?;
-        let (fewest, most) = callable.arity();
-        if arguments.len() < fewest || arguments.len() > most {
-            return Err(self.wrong_at(
-                start,
-                format!(
-                    "`{name}` takes {}, found {}",
-                    wanted(fewest, most),
-                    arguments.len()
-                ),
-            ));
-        }
-        self.apply(callable, arguments)
-    }
-
-    fn unknown_function(&self, name: &str) -> ExprError {
-        if self.known_names().contains(&name) {
-            return self.wrong(format!(
-                "`{name}` is not a function; to multiply write `{name}*(…)`"
-            ));
-        }
-        let names = FUNCTIONS.iter().map(|(f, _)| *f);
-        let hint = match nearest(name, names.clone()) {
-            Some(meant) => format!("did you mean `{meant}`? "),
-            None => String::new(),
-        };
-        let list: Vec<&str> = names.collect();
-        self.wrong(format!(
-            "unknown function `{name}`; {hint}known: {}",
-            list.join(", ")
-        ))
-    }
-
-    /// The arguments up to and with the closing parenthesis, each with its column.
-    fn arguments(&mut self, open: usize) -> Parsed<Vec<(Item, usize)>> {
-        let mut all = Vec::new();
-        if self.is_symbol(")") {
-            self.at += 1;
-            return Ok(all);
-        }
-        loop {
-            let column = self.column();
-            all.push((self.condition()?, column));
-            if !self.is_symbol(",") {
-                self.close(open)?;
-                return Ok(all);
-            }
-            self.at += 1;
-        }
-    }
-
-    fn apply(&self, callable: Callable, arguments: Vec<(Item, usize)>) -> Parsed<Item> {
-        let mut arguments = arguments.into_iter();
-        let mut condition = None;
-        if callable == Callable::Choice
-            && let Some((item, column)) = arguments.next()
-        {
-            condition = Some(self.truth_of(item, column)?);
-        }
-        let numbers = arguments
-            .map(|(item, column)| self.number_of(item, column))
-            .collect::<Parsed<Vec<Node>>>()?;
-        Ok(Item::Number(applied(callable, condition, numbers)))
     }
 }
 
@@ -365,20 +214,17 @@ impl Parser<'_> {
     fn number_of(&self, item: Item, column: usize) -> Parsed<Node> {
         match item {
             Item::Number(node) => Ok(node),
-            Item::Truth(_) => Err(self.wrong_at(
-                column,
-                "a condition stands where a number is expected; choose with `if(condition, a, b)`",
-            )),
+            Item::Truth(_) => Err(self
+                .wrong_at(column, "a condition stands where a number is expected; choose with `if(condition, a, b)`")),
         }
     }
 
     fn truth_of(&self, item: Item, column: usize) -> Parsed<Condition> {
         match item {
             Item::Truth(condition) => Ok(condition),
-            Item::Number(_) => Err(self.wrong_at(
-                column,
-                "a number stands where a condition such as `x < 1` is expected",
-            )),
+            Item::Number(_) => {
+                Err(self.wrong_at(column, "a number stands where a condition such as `x < 1` is expected"))
+            }
         }
     }
 
@@ -400,10 +246,7 @@ impl Parser<'_> {
                 Ok(())
             }
             Token::End => Err(self.wrong_at(open, "this `(` is never closed; a `)` is missing")),
-            token => Err(self.wrong(format!(
-                "expected `)` or an operator, found {}",
-                describe(&token)
-            ))),
+            token => Err(self.wrong(format!("expected `)` or an operator, found {}", describe(&token)))),
         }
     }
 
@@ -428,31 +271,8 @@ impl Parser<'_> {
     }
 
     fn wrong_at(&self, column: usize, message: impl Into<String>) -> ExprError {
-        ExprError {
-            message: message.into(),
-            column,
-            text: self.text.to_string(),
-        }
+        ExprError { message: message.into(), column, text: self.text.to_string() }
     }
-}
-
-fn applied(callable: Callable, condition: Option<Condition>, mut numbers: Vec<Node>) -> Node {
-    let constant = condition.is_none() && numbers.iter().all(|n| n.constant().is_some());
-    let node = match (callable, condition) {
-        (Callable::Minimum, _) => Node::Minimum(numbers),
-        (Callable::Maximum, _) => Node::Maximum(numbers),
-        (Callable::Unary(f), _) => Node::Apply(f, Box::new(numbers.remove(0))),
-        (_, condition) => {
-            let a = numbers.remove(0);
-            let b = numbers.remove(0);
-            match (callable, condition) {
-                (_, Some(c)) => Node::If(Box::new(c), Box::new(a), Box::new(b)),
-                (Callable::Power, None) => return raised(a, b),
-                _ => Node::Atan2(Box::new(a), Box::new(b)),
-            }
-        }
-    };
-    folded(node, constant)
 }
 
 fn raised(base: Node, exponent: Node) -> Node {
@@ -462,19 +282,7 @@ fn raised(base: Node, exponent: Node) -> Node {
 
 /// A node whose operands are constants becomes a constant.
 fn folded(node: Node, constant: bool) -> Node {
-    if constant {
-        Node::Constant(node.eval::<f64>(&[]))
-    } else {
-        node
-    }
-}
-
-fn wanted(fewest: usize, most: usize) -> String {
-    match (fewest, most) {
-        (1, 1) => "1 argument".to_string(),
-        (n, m) if n == m => format!("{n} arguments"),
-        (n, _) => format!("at least {n} arguments"),
-    }
+    if constant { Node::Constant(node.eval::<f64>(&[])) } else { node }
 }
 
 fn describe(token: &Token) -> String {

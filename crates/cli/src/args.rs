@@ -1,0 +1,98 @@
+//! The command line: what may be typed.
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use std::path::PathBuf;
+
+/// A laboratory for the convergence of finite elements in elastic contact.
+///
+/// Refines families of triangulations, measures errors against exact or overkill solutions, fits the observed rates and
+/// holds them against the bounds of Haslinger & Hlaváček, "Contact between elastic bodies II".
+///
+/// Exit status: 0 all pass; 1 a gate failed; 2 could not judge, or bad input.
+#[derive(Parser, Debug)]
+#[command(name = "signorini", version = crate::VERSION, args_conflicts_with_subcommands = true)]
+pub struct Cli {
+    /// What to do; without it the studies are run.
+    #[command(subcommand)]
+    pub command: Option<Command>,
+    /// Arguments of `run`, which is the default command.
+    #[command(flatten)]
+    pub run: RunArgs,
+}
+
+/// The commands.
+#[derive(Subcommand, Debug)]
+pub enum Command {
+    /// Run studies: measure, fit, judge, write records, tables and plots (the default).
+    Run(RunArgs),
+    /// List every claim and study: id, claim, title.
+    List,
+    /// Parse, mesh, verify, test solvability and count unknowns: everything but the solve.
+    Check(CheckArgs),
+    /// Run studies and store their energies, errors and rates as baselines in reference/.
+    Bless(RunArgs),
+    /// Render tables and plots again from the records in a folder.
+    Report {
+        /// The folder with the records.
+        #[arg(default_value = "reports")]
+        dir: PathBuf,
+    },
+}
+
+/// Arguments of `run` and `bless`.
+#[derive(Args, Debug, Clone)]
+pub struct RunArgs {
+    /// Ids from `list`, paths to .toml files, or `hard`, `controls`, `everything`; none means every study in studies/.
+    #[arg(value_name = "STUDY")]
+    pub studies: Vec<String>,
+    /// How large the meshes are.
+    #[arg(long, value_enum, default_value_t = ProfileArg::Quick)]
+    pub profile: ProfileArg,
+    /// Take N levels, counted from the coarsest, instead of the profile's own number.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    pub levels: Option<u16>,
+    /// Where records, tables and plots go.
+    #[arg(long, value_name = "DIR", default_value = "reports")]
+    pub out: PathBuf,
+    /// Solve with this method instead of the study's own.
+    #[arg(long, value_enum, value_name = "NAME")]
+    pub solver: Option<SolverArg>,
+    /// Threads; all processors by default. Results do not depend on it.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    pub threads: Option<u16>,
+    /// Let drift from the baselines in reference/ fail the run.
+    #[arg(long)]
+    pub strict: bool,
+    /// Print nothing but errors and the summary.
+    #[arg(long)]
+    pub quiet: bool,
+}
+
+/// Arguments of `check`.
+#[derive(Args, Debug, Clone)]
+pub struct CheckArgs {
+    /// Ids from `list` or paths to .toml files; none means every study in studies/.
+    #[arg(value_name = "STUDY")]
+    pub studies: Vec<String>,
+    /// How large the meshes are.
+    #[arg(long, value_enum, default_value_t = ProfileArg::Quick)]
+    pub profile: ProfileArg,
+}
+
+/// `--profile`.
+#[derive(ValueEnum, Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ProfileArg {
+    /// All studies together in well under a minute.
+    Quick,
+    /// The published tables.
+    Full,
+}
+
+/// `--solver`.
+#[derive(ValueEnum, Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SolverArg {
+    /// One factorisation, then an active set on the Schur complement.
+    Condensed,
+    /// Clarabel with crossover.
+    InteriorPoint,
+}

@@ -1,0 +1,25 @@
+//! `signorini bless`: this run's numbers become the baselines that later runs are compared with.
+
+use crate::args::RunArgs;
+use crate::failure::Failure;
+use crate::run::{execute, load, reference_folder};
+use signorini_study::store::Baseline;
+use std::path::PathBuf;
+
+/// Runs the studies and stores energies, errors and rates in `reference/`.
+pub fn bless(args: &RunArgs) -> Result<u8, Failure> {
+    if args.levels.is_some() {
+        return Err(Failure::new("a baseline needs all levels of its profile", "leave --levels out"));
+    }
+    let studies = load(&args.studies)?;
+    let folder = reference_folder().unwrap_or_else(|| PathBuf::from("reference"));
+    let (runs, _) = execute(args, &studies)?;
+    for (study, runs) in studies.iter().zip(runs) {
+        let records: Vec<_> = runs.into_iter().map(|r| r.record).collect();
+        let hashes = study.cases.iter().map(|c| (c.name.clone(), c.fingerprint())).collect();
+        if let Some(baseline) = Baseline::from_records(&records, &hashes, env!("CARGO_PKG_VERSION")) {
+            println!("blessed: {}", baseline.write(&folder)?.display());
+        }
+    }
+    Ok(0)
+}

@@ -1,0 +1,35 @@
+//! `signorini list`: every claim and every study.
+
+use crate::failure::Failure;
+use crate::run::library;
+use signorini_study::claim::catalogue::{Entry, Standing, catalogue};
+use signorini_study::study::Study;
+
+/// Prints the studies with their claims, then the claims that have no study yet.
+pub fn list() -> Result<u8, Failure> {
+    let library = library()?;
+    let studies: Vec<Study> =
+        library.sources.iter().map(|s| s.load().map_err(Failure::from)).collect::<Result<_, _>>()?;
+    match &library.folder {
+        Some(folder) => println!("studies in {}:", folder.display()),
+        None => println!("studies shipped with the program (no studies/ folder here or above):"),
+    }
+    for (source, study) in library.sources.iter().zip(&studies) {
+        let group = source.group.folder();
+        let group = if group.is_empty() { String::new() } else { format!(" [{group}]") };
+        println!("  {:<28} {:<16} {}{group}", study.id, study.claim.id, study.title);
+    }
+    println!("\nclaims:");
+    for entry in catalogue() {
+        println!("  {:<28} {:<16} {}", entry.id, standing(entry, &studies), entry.statement);
+    }
+    Ok(0)
+}
+
+fn standing(entry: &Entry, studies: &[Study]) -> String {
+    match (entry.standing, studies.iter().filter(|s| s.claim.id == entry.id).count()) {
+        (Standing::NotYet, _) => "not yet".into(),
+        (Standing::Landed, 1) => "1 study".into(),
+        (Standing::Landed, n) => format!("{n} studies"),
+    }
+}

@@ -1,0 +1,46 @@
+//! Progress: a bar with the time left on a terminal, plain lines elsewhere.
+
+use indicatif::{ProgressBar, ProgressStyle};
+use signorini_study::run::Watch;
+use std::io::IsTerminal;
+
+/// Tells on standard error how far a run has come.
+pub struct Progress {
+    bar: Option<ProgressBar>,
+    lines: bool,
+}
+
+impl Progress {
+    /// A bar over `levels` levels where standard error is a terminal; nothing with `quiet`.
+    pub fn new(levels: usize, quiet: bool) -> Self {
+        let terminal = std::io::stderr().is_terminal();
+        let bar = (terminal && !quiet).then(|| ProgressBar::new(levels as u64).with_style(style()));
+        Self { bar, lines: !terminal && !quiet }
+    }
+
+    /// A study is done.
+    pub fn study_done(&self, study: &str, outcome: &str) {
+        if self.lines {
+            eprintln!("{study}: {outcome}");
+        }
+    }
+
+    /// Everything is done: the bar goes.
+    pub fn finish(&self) {
+        self.bar.iter().for_each(ProgressBar::finish_and_clear);
+    }
+}
+
+fn style() -> ProgressStyle {
+    ProgressStyle::with_template("{bar:40} {pos}/{len} levels  {elapsed} elapsed, {eta} left  {wide_msg}")
+        .unwrap_or_else(|_| ProgressStyle::default_bar())
+}
+
+impl Watch for Progress {
+    fn level_done(&self, study: &str, case: &str, _level: usize) {
+        if let Some(bar) = &self.bar {
+            bar.inc(1);
+            bar.set_message(if study == case { study.to_owned() } else { format!("{study}/{case}") });
+        }
+    }
+}

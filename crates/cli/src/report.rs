@@ -1,0 +1,21 @@
+//! `signorini report`: tables and plots again, from the records alone.
+
+use crate::failure::Failure;
+use signorini_report::summary_text;
+use signorini_study::{store, verdict};
+use std::path::Path;
+
+/// Renders every record below `dir` and returns the exit status of the run that wrote them.
+pub fn report(dir: &Path) -> Result<u8, Failure> {
+    let records = store::read_records(dir)?;
+    if records.is_empty() {
+        let hint = "run some studies first: `signorini run`, or name the folder that `--out` wrote";
+        return Err(Failure::new(format!("{} holds no record", dir.display()), hint));
+    }
+    for record in &records {
+        signorini_report::render(record, &store::record_folder(dir, record)?)?;
+    }
+    signorini_report::render_summary(&records, dir)?;
+    print!("{}", summary_text(&records));
+    Ok(verdict::exit_status(&records))
+}

@@ -1,0 +1,224 @@
+//! The stiffness matrix in the changed basis and the nodal loads.
+//!
+//! Every row is gathered from the elements around its node, so rows are independent: parallel, without locks, and the
+//! same to the last bit for any number of threads. `O(N)` time; element blocks are computed once per row, not stored.
+
+use crate::basis::{Basis, Slot};
+use crate::element::{gradients, hats, linear_strain, stiffness_block};
+use crate::geometry::{Vec2, right_normal};
+use crate::material::Material;
+use crate::mesh::Mesh;
+use crate::problem::{Data, Support};
+use crate::quadrature::Cubature;
+use crate::sparse::BlockMatrix;
+use crate::{Error, Point};
+use rayon::prelude::*;
+
+/// The triangles around each node: those of node `i` are `list[start[i]..start[i+1]]`, each with the node's corner.
+pub struct Surroundings {
+    start: Vec<usize>,
+    list: Vec<(u32, u8)>,
+}
+
+impl Surroundings {
+    /// Lists the triangles around every node by counting. `O(N)`.
+    pub fn new(mesh: &Mesh) -> Self {
+        let mut start = vec![0usize; mesh.points.len() + 1];
+        mesh.triangles.iter().flatten().for_each(|&i| start[i as usize + 1] += 1);
+        (0..mesh.points.len()).for_each(|i| start[i + 1] += start[i]);
+        let mut next = start.clone();
+        let mut list = vec![(0, 0); 3 * mesh.triangles.len()];
+        for (t, corners) in mesh.triangles.iter().enumerate() {
+            for (corner, &i) in corners.iter().enumerate() {
+                list[next[i as usize]] = (t as u32, corner as u8);
+                next[i as usize] += 1;
+            }
+        }
+        Self { start, list }
+    }
+
+    fn of(&self, node: usize) -> &[(u32, u8)] {
+        &self.list[self.start[node]..self.start[node + 1]]
+    }
+}
+
+/// `Tᵀ A T` with an identity row and column for every fixed component.
+pub fn stiffness(mesh: &Mesh, materials: &[Material; 2], basis: &Basis) -> BlockMatrix {
+    let around = Surroundings::new(mesh);
+    let partner = partners(basis);
+    let row = |slot: usize| gather_row(mesh, materials, basis, &around, partner[slot], slot);
+    let rows: Vec<Vec<(u32, [f64; 4])>> = (0..basis.nodes()).into_par_iter().with_min_len(256).map(row).collect();
+    let mut matrix = BlockMatrix { row_start: Vec::with_capacity(rows.len() + 1), ..Default::default() };
+    let entries = rows.iter().map(Vec::len).sum();
+    matrix.columns.reserve_exact(entries);
+    matrix.blocks.reserve_exact(entries);
+    matrix.row_start.push(0);
+    for row in rows {
+        for (column, block) in row {
+            matrix.columns.push(column);
+            matrix.blocks.push(block);
+        }
+        matrix.row_start.push(matrix.columns.len());
+    }
+    matrix
+}
+
+/// For each slot, the nodes whose displacement depends on it: itself, and its partner in a pair.
+fn partners(basis: &Basis) -> Vec<Option<u32>> {
+    let mut partner = vec![None; basis.nodes()];
+    for node in 0..basis.nodes() {
+        if let ([(a, _), (b, _)], 2) = basis.slots(node) {
+            partner[node] = Some(if a as usize == node { b } else { a });
+        }
+    }
+    partner
+}
+
+/// Row `slot` of `TᵀAT`: `Σ T_i,slotᵀ k_ij T_j,s` over the elements around the nodes `i` that depend on the slot.
+fn gather_row(
+    mesh: &Mesh,
+    materials: &[Material; 2],
+    basis: &Basis,
+    around: &Surroundings,
+    partner: Option<u32>,
+    slot: usize,
+) -> Vec<(u32, [f64; 4])> {
+    let mut row: Vec<(u32, [f64; 4])> = Vec::with_capacity(8);
+    for node in std::iter::once(slot).chain(partner.map(|p| p as usize)) {
+        let left = block_of_slot(basis, node, slot);
+        for &(t, corner) in around.of(node) {
+            let t = t as usize;
+            let (g, area) = gradients(mesh.corners(t));
+            let material = &materials[mesh.body(t).index()];
+            for (k, &j) in mesh.triangles[t].iter().enumerate() {
+                let block = stiffness_block(material, area, g[corner as usize], g[k]);
+                let left_block = transposed_product(&left, &block);
+                let (slots, n) = basis.slots(j as usize);
+                for (column, right) in &slots[..n] {
+                    add_block(&mut row, *column, &product(&left_block, right));
+                }
+            }
+        }
+    }
+    row.sort_unstable_by_key(|(column, _)| *column);
+    row.iter_mut().for_each(|(column, block)| fix_components(basis, slot, *column as usize, block));
+    row
+}
+
+fn block_of_slot(basis: &Basis, node: usize, slot: usize) -> [f64; 4] {
+    let (slots, n) = basis.slots(node);
+    let of_slot = |s: &&Slot| s.0 as usize == slot;
+    slots[..n].iter().find(of_slot).map_or([0.0; 4], |s| s.1)
+}
+
+fn add_block(row: &mut Vec<(u32, [f64; 4])>, column: u32, block: &[f64; 4]) {
+    match row.iter_mut().find(|(c, _)| *c == column) {
+        Some((_, sum)) => (0..4).for_each(|k| sum[k] += block[k]),
+        None => row.push((column, *block)),
+    }
+}
+
+/// Zero where the row's or the column's component is fixed; one on the diagonal there.
+fn fix_components(basis: &Basis, row: usize, column: usize, block: &mut [f64; 4]) {
+    for (entry, value) in block.iter_mut().enumerate() {
+        let (i, j) = (2 * row + entry / 2, 2 * column + entry % 2);
+        if basis.fixed[i] || basis.fixed[j] {
+            *value = f64::from(u8::from(i == j));
+        }
+    }
+}
+
+fn product(a: &[f64; 4], b: &[f64; 4]) -> [f64; 4] {
+    [a[0] * b[0] + a[1] * b[2], a[0] * b[1] + a[1] * b[3], a[2] * b[0] + a[3] * b[2], a[2] * b[1] + a[3] * b[3]]
+}
+
+fn transposed_product(a: &[f64; 4], b: &[f64; 4]) -> [f64; 4] {
+    product(&[a[0], a[2], a[1], a[3]], b)
+}
+
+/// The nodal loads `f(φ_i)`: body forces and tractions by quadrature. A load that is not a number is refused, with its place.
+pub fn loads(mesh: &Mesh, supports: &[Support], data: &dyn Data, cubature: &Cubature) -> Result<Vec<Vec2>, Error> {
+    let mut nodal = vec![Vec2::zeros(); mesh.points.len()];
+    let body_loads: Vec<Option<[Vec2; 3]>> = (0..mesh.triangles.len())
+        .into_par_iter()
+        .with_min_len(64)
+        .map(|t| element_load(mesh, data, cubature, t))
+        .collect();
+    for (t, load) in body_loads.iter().enumerate() {
+        let Some(load) = load else { continue };
+        check_load(load, || format!("body force in triangle {t} around {}", place(&mesh.corners(t))))?;
+        mesh.triangles[t].iter().zip(load).for_each(|(&i, l)| nodal[i as usize] += l);
+    }
+    for side in mesh.sides.iter().filter(|s| supports[s.part as usize] == Support::Traction) {
+        let corners = side.nodes.map(|i| mesh.points[i as usize]);
+        let load = side_load(corners, data, side.part as usize, cubature);
+        let name = &mesh.parts[side.part as usize].name;
+        check_load(&load, || format!("traction on part '{name}' near {}", place(&corners)))?;
+        side.nodes.iter().zip(&load).for_each(|(&i, l)| nodal[i as usize] += l);
+    }
+    Ok(nodal)
+}
+
+/// `∫_T F φ_k dx` for the three corners, or nothing where the body carries no force.
+fn element_load(mesh: &Mesh, data: &dyn Data, cubature: &Cubature, t: usize) -> Option<[Vec2; 3]> {
+    let body = mesh.body(t);
+    if !data.has_body_force(body) {
+        return None;
+    }
+    let corners = mesh.corners(t);
+    let mut load = [Vec2::zeros(); 3];
+    cubature.triangle(corners, &mut |x, w| {
+        let force = w * data.body_force(body, x);
+        load.iter_mut().zip(hats(corners, x)).for_each(|(l, hat)| *l += hat * force);
+    });
+    Some(load)
+}
+
+/// `∫ P φ_k ds` over a side for its two ends.
+fn side_load([a, b]: [Point; 2], data: &dyn Data, part: usize, cubature: &Cubature) -> [Vec2; 2] {
+    let normal = right_normal(a, b);
+    let along = crate::geometry::Segment { a, b };
+    let mut load = [Vec2::zeros(); 2];
+    cubature.side(a, b, &mut |x, w| {
+        let (s, traction) = (along.parameter(x), w * data.traction(part, x, normal));
+        load[0] += (1.0 - s) * traction;
+        load[1] += s * traction;
+    });
+    load
+}
+
+fn check_load(load: &[Vec2], what: impl Fn() -> String) -> Result<(), Error> {
+    match load.iter().find(|l| !(l.x.is_finite() && l.y.is_finite())) {
+        None => Ok(()),
+        Some(l) => Err(Error::Load(format!(
+            "{} integrates to ({}, {}), which is no number; check its expression there (a division by zero, a root or logarithm of a negative number)",
+            what(),
+            l.x,
+            l.y
+        ))),
+    }
+}
+
+fn place(points: &[Point]) -> String {
+    let middle = points.iter().sum::<Point>() / points.len() as f64;
+    format!("({:.6}, {:.6})", middle.x, middle.y)
+}
+
+/// `A(v, φ_i)` for every node, in the components of the plane: what prescribed displacements take off the load.
+pub fn internal_forces(mesh: &Mesh, materials: &[Material; 2], v: &[Vec2]) -> Vec<Vec2> {
+    let mut nodal = vec![Vec2::zeros(); mesh.points.len()];
+    for t in 0..mesh.triangles.len() {
+        let values = mesh.triangles[t].map(|i| v[i as usize]);
+        if values.iter().all(|v| *v == Vec2::zeros()) {
+            continue;
+        }
+        let (g, area) = gradients(mesh.corners(t));
+        let stress = materials[mesh.body(t).index()].stress(linear_strain(&g, values));
+        for (k, &i) in mesh.triangles[t].iter().enumerate() {
+            // A(v, φ_k e_p) = |T| τ_pq ∂_q φ_k
+            let force = Vec2::new(stress[0] * g[k].x + stress[2] * g[k].y, stress[2] * g[k].x + stress[1] * g[k].y);
+            nodal[i as usize] += area * force;
+        }
+    }
+    nodal
+}

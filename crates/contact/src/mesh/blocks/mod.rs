@@ -1,0 +1,152 @@
+//! Triangulations of bodies made of quadrilateral blocks.
+//!
+//! ```text
+//!   3 ------ 2     Cell (i, j) has the lower left node (i, j); i runs along 0 → 1, j along 0 → 3.
+//!   | block  |
+//!   |        |       structured    criss-cross    union-jack
+//!   0 ------ 1        /  /           ><             / \      (by the parity of i + j)
+//! ```
+
+mod frame;
+
+use super::triangulation::{Triangulation, at, mesh_error};
+use crate::Error;
+use crate::geometry::{Point, twice_area};
+use frame::Frame;
+
+/// How each cell is cut into triangles.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Pattern {
+    /// In two, by the diagonal from the lower left to the upper right node.
+    Structured,
+    /// In four, by both diagonals.
+    CrissCross,
+    /// In two, the diagonals alternating like the fields of a chessboard; cell (0, 0) is cut as in `Structured`.
+    UnionJack,
+}
+
+/// A convex quadrilateral and its division into cells.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct QuadBlock {
+    /// Corners, counterclockwise.
+    pub corners: [Point; 4],
+    /// Cells along `0 → 1` and along `0 → 3`; at least 1.
+    pub cells: [usize; 2],
+}
+
+impl QuadBlock {
+    /// The node `(i, j)`: the bilinear image of `(s, t) = (i / cells[0], j / cells[1])`.
+    fn node(&self, i: usize, j: usize) -> Point {
+        self.bilinear(i as f64 / self.cells[0] as f64, j as f64 / self.cells[1] as f64)
+    }
+
+    fn bilinear(&self, s: f64, t: f64) -> Point {
+        let [a, b, c, d] = self.corners;
+        // x = (1−s)(1−t) a + s(1−t) b + s t c + (1−s) t d
+        (1.0 - s) * (1.0 - t) * a + s * (1.0 - t) * b + s * t * c + (1.0 - s) * t * d
+    }
+
+    fn check(&self, number: usize) -> Result<(), Error> {
+        if self.cells.contains(&0) {
+            return Err(mesh_error(format!(
+                "block {number} is divided into {} × {} cells; give at least 1 in each direction",
+                self.cells[0], self.cells[1]
+            )));
+        }
+        let c = self.corners;
+        let size = (c[2] - c[0]).norm_squared().max((c[3] - c[1]).norm_squared());
+        let turns = [0, 1, 2, 3].map(|i| twice_area(c[(i + 3) % 4], c[i], c[(i + 1) % 4]));
+        let bad = |&turn: &f64| turn.is_nan() || turn <= 1e-10 * size;
+        let Some(i) = turns.iter().position(bad) else {
+            return Ok(());
+        };
+        let (what, hint) = if turns.iter().all(|&turn| turn < 0.0) {
+            ("runs clockwise", "list its corners in the opposite order")
+        } else {
+            ("is not convex", "cut it into convex blocks")
+        };
+        Err(mesh_error(format!(
+            "block {number} {what}: at its corner {i}, {}, it turns by {:.3e}, which must exceed {:.3e}; {hint}",
+            at(c[i]),
+            turns[i],
+            1e-10 * size
+        )))
+    }
+}
+
+/// Triangulates the blocks of one body and glues them where they share whole sides. Blocks are numbered from 0.
+///
+/// Nodes are numbered block by block, row by row (`j` by `j`), shared ones where they come first; the centres of a criss-cross
+/// follow the rows of their block. Triangles follow block by block, cell by cell, row by row.
+///
+/// # Errors
+/// [`Error::Mesh`] if there is no block, a block has no cells, is clockwise or not convex, two blocks divide a shared side
+/// differently, or a corner lies within another block's side. Blocks that overlap are not looked for.
+pub fn triangulate(blocks: &[QuadBlock], pattern: Pattern) -> Result<Triangulation, Error> {
+    if blocks.is_empty() {
+        return Err(mesh_error("a body needs at least one block".into()));
+    }
+    for (number, block) in blocks.iter().enumerate() {
+        block.check(number)?;
+    }
+    check_size(blocks)?;
+    let mut frame = Frame::new(blocks)?;
+    let mut mesh = Triangulation::default();
+    for (number, block) in blocks.iter().enumerate() {
+        let nodes = frame.number_nodes(number, block, &mut mesh.points);
+        let add: fn(&mut Triangulation, &QuadBlock, &[u32]) = match pattern {
+            Pattern::Structured => add_structured,
+            Pattern::CrissCross => add_criss_cross,
+            Pattern::UnionJack => add_union_jack,
+        };
+        add(&mut mesh, block, &nodes);
+    }
+    Ok(mesh)
+}
+
+fn check_size(blocks: &[QuadBlock]) -> Result<(), Error> {
+    let largest = u32::MAX / 32;
+    let cells = blocks.iter().map(|b| b.cells[0] as f64 * b.cells[1] as f64).sum::<f64>();
+    if cells > f64::from(largest) {
+        return Err(mesh_error(format!(
+            "the blocks have {cells:.3e} cells together; node numbers of 32 bits reach to {largest}: use fewer"
+        )));
+    }
+    Ok(())
+}
+
+/// The corners of each cell, row by row: lower left, lower right, upper right, upper left.
+fn cells<'a>(block: &QuadBlock, nodes: &'a [u32]) -> impl Iterator<Item = (usize, usize, [u32; 4])> + use<'a> {
+    let [nx, ny] = block.cells;
+    let node = move |i: usize, j: usize| nodes[j * (nx + 1) + i];
+    (0..ny).flat_map(move |j| {
+        (0..nx).map(move |i| {
+            let corners = [node(i, j), node(i + 1, j), node(i + 1, j + 1), node(i, j + 1)];
+            (i, j, corners)
+        })
+    })
+}
+
+fn add_structured(mesh: &mut Triangulation, block: &QuadBlock, nodes: &[u32]) {
+    for (_, _, [a, b, c, d]) in cells(block, nodes) {
+        mesh.triangles.extend([[a, b, c], [a, c, d]]);
+    }
+}
+
+fn add_union_jack(mesh: &mut Triangulation, block: &QuadBlock, nodes: &[u32]) {
+    for (i, j, [a, b, c, d]) in cells(block, nodes) {
+        mesh.triangles.extend(match (i + j) % 2 {
+            0 => [[a, b, c], [a, c, d]],
+            _ => [[a, b, d], [b, c, d]],
+        });
+    }
+}
+
+fn add_criss_cross(mesh: &mut Triangulation, block: &QuadBlock, nodes: &[u32]) {
+    for (i, j, [a, b, c, d]) in cells(block, nodes) {
+        let m = mesh.points.len() as u32;
+        let [nx, ny] = block.cells.map(|n| n as f64);
+        mesh.points.push(block.bilinear((i as f64 + 0.5) / nx, (j as f64 + 0.5) / ny));
+        mesh.triangles.extend([[a, b, m], [b, c, m], [c, d, m], [d, a, m]]);
+    }
+}

@@ -1,0 +1,70 @@
+//! The name of a mesh: equal meshes, to the last bit, have equal names on every machine.
+
+use super::{Body, Mesh};
+
+impl Mesh {
+    /// FNV-1a (64 bits) over everything in the mesh, as 16 hexadecimal digits: coordinates by their bit patterns, then
+    /// triangles, bodies, sides, parts and contact sides, each list after its length, integers as little-endian `u64`.
+    ///
+    /// G. Fowler, L. C. Noll, K.-P. Vo, D. Eastlake: *The FNV Non-Cryptographic Hash Algorithm*. It tells meshes apart by
+    /// accident, not against malice.
+    pub fn hash(&self) -> String {
+        let mut hash = Fnv1a::default();
+        hash.list(&self.points, |h, p| h.numbers([p.x.to_bits(), p.y.to_bits()]));
+        hash.list(&self.node_bodies, |h, b| h.numbers([b.index() as u64]));
+        hash.list(&self.triangles, |h, t| h.numbers(t.map(u64::from)));
+        hash.numbers([self.first_triangles as u64]);
+        hash.list(&self.sides, |h, s| {
+            h.numbers(s.nodes.map(u64::from));
+            h.numbers([u64::from(s.triangle), u64::from(s.part)]);
+        });
+        hash.list(&self.parts, |h, p| {
+            h.numbers([u64::from(p.body == Body::Second), p.name.len() as u64]);
+            h.bytes(p.name.as_bytes());
+        });
+        hash.list(&self.contact, |h, c| {
+            h.numbers(c.first.map(u64::from));
+            h.numbers(c.second.map(u64::from));
+            h.numbers([u64::from(c.segment)]);
+        });
+        format!("{:016x}", hash.0)
+    }
+}
+
+/// FNV-1a (64 bits) of a string of bytes.
+pub fn fnv1a(bytes: &[u8]) -> u64 {
+    let mut hash = Fnv1a::default();
+    hash.bytes(bytes);
+    hash.0
+}
+
+/// State of FNV-1a with 64 bits.
+pub(super) struct Fnv1a(pub u64);
+
+impl Default for Fnv1a {
+    fn default() -> Self {
+        Self(0xcbf2_9ce4_8422_2325)
+    }
+}
+
+impl Fnv1a {
+    pub fn bytes(&mut self, bytes: &[u8]) {
+        for &byte in bytes {
+            // hash ← (hash xor byte) · prime
+            self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
+        }
+    }
+
+    fn numbers<const N: usize>(&mut self, numbers: [u64; N]) {
+        for number in numbers {
+            self.bytes(&number.to_le_bytes());
+        }
+    }
+
+    fn list<T>(&mut self, items: &[T], mut item: impl FnMut(&mut Self, &T)) {
+        self.numbers([items.len() as u64]);
+        for i in items {
+            item(self, i);
+        }
+    }
+}

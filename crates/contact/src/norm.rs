@@ -1,0 +1,125 @@
+//! Norms of displacements and of their errors, both bodies together: `|v|² = ∫ ε_ij(v) ε_ij(v) dx` (the strain seminorm
+//! of every estimate), `A(v,v)`, the `H¹` seminorm and `L²`.
+
+use crate::element::{displacement_gradient, gradients, hats};
+use crate::geometry::{Point, Vec2};
+use crate::material::{Material, contract, strain};
+use crate::mesh::{Body, Mesh};
+use crate::quadrature::Cubature;
+use crate::sum::ordered_sum;
+use std::ops::AddAssign;
+
+/// Squares of the norms of a displacement field.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Squares {
+    /// `∫ ε_ij ε_ij` on `Ω'` and `Ω''`.
+    pub strain: [f64; 2],
+    /// `A(v,v)`.
+    pub energy: f64,
+    /// `∫ |∇v|²`.
+    pub gradient: f64,
+    /// `∫ |v|²`.
+    pub l2: f64,
+}
+
+impl AddAssign for Squares {
+    fn add_assign(&mut self, other: Self) {
+        (0..2).for_each(|i| self.strain[i] += other.strain[i]);
+        self.energy += other.energy;
+        self.gradient += other.gradient;
+        self.l2 += other.l2;
+    }
+}
+
+impl Squares {
+    /// The strain seminorm.
+    pub fn strain_seminorm(&self) -> f64 {
+        (self.strain[0] + self.strain[1]).sqrt()
+    }
+
+    /// The energy norm `√A(v,v)`.
+    pub fn energy_norm(&self) -> f64 {
+        self.energy.sqrt()
+    }
+
+    /// The full `H¹` norm.
+    pub fn h1_norm(&self) -> f64 {
+        (self.gradient + self.l2).sqrt()
+    }
+
+    /// The `L²` norm.
+    pub fn l2_norm(&self) -> f64 {
+        self.l2.sqrt()
+    }
+
+    /// Adds `weight` times the squares of a value and a gradient at one point.
+    pub fn add(&mut self, body: Body, material: &Material, weight: f64, value: Vec2, gradient: [[f64; 2]; 2]) {
+        let e = strain(gradient);
+        self.strain[body.index()] += weight * contract(e, e);
+        self.energy += weight * contract(material.stress(e), e);
+        self.gradient += weight * gradient.iter().flatten().map(|g| g * g).sum::<f64>();
+        self.l2 += weight * value.norm_squared();
+    }
+}
+
+/// The norms of a piecewise linear field, exactly (`L²` by the element mass matrix).
+pub fn of_linear(mesh: &Mesh, materials: &[Material; 2], v: &[Vec2]) -> Squares {
+    ordered_sum(mesh.triangles.len(), |t| {
+        let body = mesh.body(t);
+        let values = mesh.triangles[t].map(|i| v[i as usize]);
+        let (g, area) = gradients(mesh.corners(t));
+        let mut squares = Squares::default();
+        squares.add(body, &materials[body.index()], area, Vec2::zeros(), displacement_gradient(&g, values));
+        // ∫ |v|² = |T|/12 (|v_0+v_1+v_2|² + Σ|v_k|²)
+        let total: Vec2 = values.iter().sum();
+        squares.l2 = area / 12.0 * (total.norm_squared() + values.iter().map(|v| v.norm_squared()).sum::<f64>());
+        squares
+    })
+}
+
+/// A displacement and its gradient `g[i][j] = ∂_j u_i` at a point of a body.
+pub type ExactFn<'a> = dyn Fn(Body, Point) -> (Vec2, [[f64; 2]; 2]) + Sync + 'a;
+
+/// The norms of `u − v` for each of several piecewise linear fields `v` and a given `u`, evaluating `u` once per
+/// quadrature point.
+pub fn of_differences<const N: usize>(
+    mesh: &Mesh,
+    materials: &[Material; 2],
+    u: &ExactFn,
+    fields: [&[Vec2]; N],
+    cubature: &Cubature,
+) -> [Squares; N] {
+    let sums: Several<N> = ordered_sum(mesh.triangles.len(), |t| {
+        let (body, corners) = (mesh.body(t), mesh.corners(t));
+        let (g, _) = gradients(corners);
+        let nodal = fields.map(|v| mesh.triangles[t].map(|i| v[i as usize]));
+        let linear = nodal.map(|values| displacement_gradient(&g, values));
+        let mut sums = Several::default();
+        cubature.triangle(corners, &mut |x, w| {
+            let (value, gradient) = u(body, x);
+            let hat = hats(corners, x);
+            for k in 0..N {
+                let v: Vec2 = (0..3).map(|c| hat[c] * nodal[k][c]).sum();
+                let difference = std::array::from_fn(|i| std::array::from_fn(|j| gradient[i][j] - linear[k][i][j]));
+                sums.0[k].add(body, &materials[body.index()], w, value - v, difference);
+            }
+        });
+        sums
+    });
+    sums.0
+}
+
+/// Sums for several fields at once.
+struct Several<const N: usize>([Squares; N]);
+
+impl<const N: usize> Default for Several<N> {
+    fn default() -> Self {
+        Self([Squares::default(); N])
+    }
+}
+
+impl<const N: usize> AddAssign for Several<N> {
+    fn add_assign(&mut self, other: Self) {
+        (0..N).for_each(|k| self.0[k] += other.0[k]);
+    }
+}

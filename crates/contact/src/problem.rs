@@ -1,0 +1,226 @@
+//! A contact problem on a mesh: from bodies and loads to the bound-constrained problem, and back to displacements.
+
+use crate::basis::{Basis, BoundOrigin, NodeSupport};
+use crate::geometry::{Point, Vec2, cross, right_normal, tangent_of};
+use crate::material::Material;
+use crate::mesh::{Body, Mesh};
+use crate::qp::BoundQp;
+use crate::quadrature::Cubature;
+use crate::solver::{self, QpSolution};
+use crate::zone::Zone;
+use crate::{Error, assembly, norm, rigid};
+
+/// The condition on a boundary part.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Support {
+    /// `Γ_u`: the displacement is prescribed by [`Data::displacement`].
+    Fixed,
+    /// `Γ_0`: no normal displacement, no tangential traction.
+    Sliding,
+    /// `Γτ`: the traction is given by [`Data::traction`].
+    Traction,
+    /// `Γτ` without traction.
+    Free,
+}
+
+/// Loads and boundary data as functions of the point.
+pub trait Data: Sync {
+    /// Whether `body` carries a body force at all.
+    fn has_body_force(&self, _body: Body) -> bool {
+        false
+    }
+    /// `F` at `x`, force per area.
+    fn body_force(&self, _body: Body, _x: Point) -> Vec2 {
+        Vec2::zeros()
+    }
+    /// `P` at `x` on boundary part `part` with outward unit normal `normal`, force per length.
+    fn traction(&self, _part: usize, _x: Point, _normal: Vec2) -> Vec2 {
+        Vec2::zeros()
+    }
+    /// `u_D` at `x` on boundary part `part`.
+    fn displacement(&self, _part: usize, _x: Point) -> Vec2 {
+        Vec2::zeros()
+    }
+}
+
+/// No loads and zero data.
+pub struct Unloaded;
+
+impl Data for Unloaded {}
+
+/// Two bodies in contact, discretised on a mesh.
+pub struct Problem<'a> {
+    /// The triangulation.
+    pub mesh: &'a Mesh,
+    /// Elastic constants of `Ω'` and `Ω''`.
+    pub materials: [Material; 2],
+    /// The condition on each of the mesh's parts.
+    pub supports: &'a [Support],
+    /// Loads and data.
+    pub data: &'a dyn Data,
+    /// The quadrature of the loads.
+    pub cubature: &'a Cubature,
+}
+
+/// The discrete problem: the quadratic problem and the way back to displacements.
+pub struct Discrete {
+    /// The change of basis.
+    pub basis: Basis,
+    /// Contact pairs and constraints.
+    pub zone: Zone,
+    /// The bound-constrained problem.
+    pub qp: BoundQp,
+    /// Where each bound of the problem comes from.
+    pub origins: Vec<BoundOrigin>,
+    /// Nodal loads `f(φ_i)` in the components of the plane.
+    pub load: Vec<Vec2>,
+    /// Remarks: nearly dependent normals, conditions that pin a free slide.
+    pub warnings: Vec<String>,
+}
+
+/// A discrete solution `u_h` with its contact forces.
+pub struct Solution {
+    /// Nodal displacements.
+    pub displacement: Vec<Vec2>,
+    /// The multiplier of each constraint of each pair (zero where the constraint was dropped), a force.
+    pub contact_forces: Vec<Vec<f64>>,
+    /// `L(u_h)`.
+    pub energy: f64,
+    /// `A(u_h, u_h)`.
+    pub strain_energy: f64,
+    /// The solver's own answer.
+    pub raw: QpSolution,
+}
+
+impl Problem<'_> {
+    /// Assembles, and refuses what has no solution: a load that pushes a free body away, contradicting supports.
+    pub fn discretise(&self) -> Result<Discrete, Error> {
+        self.discretise_with(assembly::loads(self.mesh, self.supports, self.data, self.cubature)?)
+    }
+
+    /// The same with nodal loads `f(φ_i)` that were integrated elsewhere.
+    pub fn discretise_with(&self, load: Vec<Vec2>) -> Result<Discrete, Error> {
+        self.refuse_non_finite(&load)?;
+        let nodes = self.node_supports()?;
+        let zone = Zone::new(self.mesh);
+        let mut basis = Basis::new(&nodes);
+        let mut tied = Vec::with_capacity(zone.pairs.len());
+        for (i, pair) in zone.pairs.iter().enumerate() {
+            tied.extend(basis.tie(i, pair, [&nodes[pair.first as usize], &nodes[pair.second as usize]])?);
+        }
+        tied.sort_by_key(|(bound, _)| bound.dof);
+        let balance = rigid::balance(self.mesh, &nodes, &zone, &load)?;
+        let matrix = assembly::stiffness(self.mesh, &self.materials, &basis);
+        let reaction = assembly::internal_forces(self.mesh, &self.materials, &basis.offset);
+        let net: Vec<Vec2> = load.iter().zip(&reaction).map(|(f, r)| f - r).collect();
+        let qp = BoundQp {
+            matrix,
+            load: basis.force(&net),
+            bounds: tied.iter().map(|(bound, _)| *bound).collect(),
+            kernel: balance.kernel.iter().map(|y| basis.coordinates(y)).collect(),
+            conditions: balance.kernel.iter().map(|y| mean_condition(self.mesh, &basis, y)).collect(),
+        };
+        let warnings = zone.warnings.iter().cloned().chain(balance.remarks).collect();
+        Ok(Discrete { basis, zone, qp, origins: tied.into_iter().map(|(_, o)| o).collect(), load, warnings })
+    }
+
+    /// Assembles and solves.
+    pub fn solve(&self, settings: &solver::Settings) -> Result<(Discrete, Solution), Error> {
+        let discrete = self.discretise()?;
+        let raw = solver::solve(&discrete.qp, settings);
+        let solution = discrete.recover(self.mesh, &self.materials, raw);
+        Ok((discrete, solution))
+    }
+
+    fn refuse_non_finite(&self, load: &[Vec2]) -> Result<(), Error> {
+        match load.iter().position(|f| !(f.x.is_finite() && f.y.is_finite())) {
+            None => Ok(()),
+            Some(i) => Err(Error::Load(format!(
+                "the nodal load at ({}, {}) is ({}, {}), which is no number; check the loads around that point",
+                self.mesh.points[i].x, self.mesh.points[i].y, load[i].x, load[i].y
+            ))),
+        }
+    }
+
+    /// What each node may do, from the parts that its sides belong to.
+    fn node_supports(&self) -> Result<Vec<NodeSupport>, Error> {
+        let mut nodes = vec![NodeSupport::unsupported(); self.mesh.points.len()];
+        self.each_side_end(Support::Sliding, |node, normal, _| slide(&mut nodes[node], normal));
+        let mut fixed = vec![false; nodes.len()];
+        let mut clash = None;
+        self.each_side_end(Support::Fixed, |node, _, part| {
+            let offset = self.data.displacement(part, self.mesh.points[node]);
+            if fixed[node] && (offset - nodes[node].offset).norm() > 1e-10 * (1.0 + offset.norm()) {
+                clash.get_or_insert((node, offset, nodes[node].offset));
+            }
+            (nodes[node], fixed[node]) = (NodeSupport { free: Vec::new(), offset }, true);
+        });
+        if let Some((node, a, b)) = clash {
+            let x = self.mesh.points[node];
+            return Err(Error::Boundary(format!(
+                "node {node} at ({}, {}) is prescribed ({}, {}) by one fixed part and ({}, {}) by another; make the data agree there",
+                x.x, x.y, a.x, a.y, b.x, b.y
+            )));
+        }
+        match nodes.iter().position(|n| !(n.offset.x.is_finite() && n.offset.y.is_finite())) {
+            None => Ok(nodes),
+            Some(i) => Err(Error::Load(format!(
+                "the prescribed displacement at ({}, {}) is ({}, {}), which is no number",
+                self.mesh.points[i].x, self.mesh.points[i].y, nodes[i].offset.x, nodes[i].offset.y
+            ))),
+        }
+    }
+
+    /// Visits both ends of every side whose part has this support: node, outward normal, part.
+    fn each_side_end(&self, support: Support, mut visit: impl FnMut(usize, Vec2, usize)) {
+        for side in self.mesh.sides.iter().filter(|s| self.supports[s.part as usize] == support) {
+            let [a, b] = side.nodes.map(|i| self.mesh.points[i as usize]);
+            for node in side.nodes {
+                visit(node as usize, right_normal(a, b), side.part as usize);
+            }
+        }
+    }
+}
+
+/// Takes the normal direction away from a node; a second, independent normal takes the rest.
+fn slide(node: &mut NodeSupport, normal: Vec2) {
+    let keeps = |t: &Vec2| t.dot(&normal).abs() < crate::zone::SAME_NORMAL;
+    node.free = match node.free.as_slice() {
+        [_, _] => vec![tangent_of(normal)],
+        [t] if keeps(t) => vec![*t],
+        _ => Vec::new(),
+    };
+}
+
+/// `p(v) = Σ_i m_i y_i·v_i` with the lumped mass `m`: the component of `v` along the free motion `y` vanishes in the mean.
+fn mean_condition(mesh: &Mesh, basis: &Basis, y: &[Vec2]) -> Vec<(u32, f64)> {
+    let mut weighted = vec![Vec2::zeros(); mesh.points.len()];
+    for t in 0..mesh.triangles.len() {
+        let [a, b, c] = mesh.corners(t);
+        let third = cross(b - a, c - a) / 6.0;
+        mesh.triangles[t].iter().for_each(|&i| weighted[i as usize] += third * y[i as usize]);
+    }
+    let row = basis.force(&weighted);
+    row.iter().enumerate().filter(|(_, p)| **p != 0.0).map(|(i, p)| (i as u32, *p)).collect()
+}
+
+impl Discrete {
+    /// Displacement components that are not fixed.
+    pub fn dofs(&self) -> usize {
+        self.basis.fixed.iter().filter(|f| !**f).count()
+    }
+
+    /// Turns the answer of the quadratic problem into displacements, contact forces and energies.
+    pub fn recover(&self, mesh: &Mesh, materials: &[Material; 2], raw: QpSolution) -> Solution {
+        let displacement = self.basis.displacement(&raw.x);
+        let mut contact_forces: Vec<Vec<f64>> =
+            self.zone.pairs.iter().map(|p| vec![0.0; p.constraints.len()]).collect();
+        for (origin, force) in self.origins.iter().zip(&raw.multipliers) {
+            contact_forces[origin.pair][origin.constraint] = *force;
+        }
+        // L(u_h) = ½A(u_h,u_h) − f(u_h), the quadratic part element by element from strains.
+        let strain_energy = norm::of_linear(mesh, materials, &displacement).energy;
+        let work: f64 = self.load.iter().zip(&displacement).map(|(f, u)| f.dot(u)).sum();
+        Solution { displacement, contact_forces, energy: 0.5 * strain_energy - work, strain_energy, raw }
+    }
+}

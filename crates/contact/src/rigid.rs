@@ -1,0 +1,258 @@
+//! The rigid motions that the supports leave free, and whether the load can be borne.
+//!
+//! A rigid motion `y` is *allowed* if it respects `Γ_u`, `Γ_0` and opens or slides the contact zone,
+//! `n·(y' − y'') ≤ 0`. The problem has a solution when `f(y) < 0` for every allowed one-sided `y` (the load presses the
+//! bodies together) and `f(y) = 0` where `−y` is allowed as well. The allowed motions form a polyhedral cone in at most
+//! six dimensions, so its two-sided part is a null space and the rest is decided on its extreme rays.
+
+use crate::Error;
+use crate::basis::NodeSupport;
+use crate::geometry::{Point, Vec2, tangent_of};
+use crate::mesh::{Body, Mesh};
+use crate::zone::Zone;
+use nalgebra::{DMatrix, DVector, Matrix6, SymmetricEigen, Vector6};
+
+/// `|f(y)|` below this times `Σ|load|` counts as zero, for `max |y| = 1`.
+const BALANCED: f64 = 1e-10;
+
+/// Eigenvalues below this share of the largest belong to the null space.
+const NULL: f64 = 1e-12;
+
+/// What the supports and the contact leave free.
+#[derive(Clone, Debug, Default)]
+pub struct Balance {
+    /// The two-sided rigid motions, as nodal fields with `max |y| = 1`.
+    pub kernel: Vec<Vec<Vec2>>,
+    /// What the program had to fix by itself.
+    pub remarks: Vec<String>,
+}
+
+/// Coordinates of rigid motions, `(a_1, a_2, θ)` for each body: `y(x) = a + θ J(x − c)/R`, with `J` a right angle.
+struct Frame {
+    centre: Point,
+    radius: f64,
+}
+
+impl Frame {
+    fn new(mesh: &Mesh) -> Self {
+        let low = mesh.points.iter().fold(mesh.points[0], |l, p| l.inf(p));
+        let high = mesh.points.iter().fold(mesh.points[0], |h, p| h.sup(p));
+        Self { centre: 0.5 * (low + high), radius: 0.5 * (high - low).norm() }
+    }
+
+    /// The row of `q ↦ m·y(x)` for a node of `body`.
+    fn row(&self, body: Body, x: Point, m: Vec2) -> Vector6<f64> {
+        let arm = tangent_of((x - self.centre) / self.radius);
+        let mut row = Vector6::zeros();
+        let first = 3 * body.index();
+        (row[first], row[first + 1], row[first + 2]) = (m.x, m.y, m.dot(&arm));
+        row
+    }
+
+    fn at(&self, q: &Vector6<f64>, body: Body, x: Point) -> Vec2 {
+        Vec2::new(self.row(body, x, Vec2::x()).dot(q), self.row(body, x, Vec2::y()).dot(q))
+    }
+
+    /// The motion in words, e.g. `translation of Ω' along (0, 1)`.
+    fn describe(&self, q: &Vector6<f64>) -> String {
+        let words = |body: Body| -> Option<String> {
+            let [a1, a2, theta] = [0, 1, 2].map(|k| q[3 * body.index() + k]);
+            let name = ["Ω'", "Ω''"][body.index()];
+            if Vec2::new(a1, a2).norm().max(theta.abs()) < 1e-9 * q.norm() {
+                None
+            } else if theta.abs() < 1e-9 * q.norm() {
+                let a = Vec2::new(a1, a2).normalize();
+                Some(format!("translation of {name} along ({}, {})", round(a.x), round(a.y)))
+            } else {
+                let fixed = self.centre + self.radius / theta * Vec2::new(-a2, a1);
+                let sense = if theta > 0.0 { "counterclockwise" } else { "clockwise" };
+                Some(format!("{sense} rotation of {name} about ({}, {})", round(fixed.x), round(fixed.y)))
+            }
+        };
+        Body::BOTH.into_iter().filter_map(words).collect::<Vec<_>>().join(" with ")
+    }
+}
+
+/// Rounds for display, without a negative zero.
+fn round(x: f64) -> f64 {
+    (x * 1e6).round() / 1e6 + 0.0
+}
+
+/// Tests the load against the cone of allowed rigid motions.
+pub fn balance(mesh: &Mesh, supports: &[NodeSupport], zone: &Zone, load: &[Vec2]) -> Result<Balance, Error> {
+    let frame = Frame::new(mesh);
+    let free = null_space(&support_gram(mesh, supports, &frame));
+    if free.is_empty() {
+        return Ok(Balance::default());
+    }
+    let contact = contact_rows(mesh, zone, &frame);
+    let (kernel, one_sided) = split(&free, &contact);
+    let judge = Judge { mesh, frame: &frame, load, size: load.iter().map(|f| f.norm()).sum() };
+    for y in &kernel {
+        judge.demand_equilibrium(y)?;
+    }
+    for ray in extreme_rays(&one_sided, &contact) {
+        judge.demand_pressing(&ray)?;
+    }
+    let remark =
+        |y: &Vector6<f64>| format!("{} is free in both directions; its mean is set to zero", frame.describe(y));
+    Ok(Balance {
+        remarks: kernel.iter().map(remark).collect(),
+        kernel: kernel.iter().map(|y| judge.field(y)).collect(),
+    })
+}
+
+struct Judge<'a> {
+    mesh: &'a Mesh,
+    frame: &'a Frame,
+    load: &'a [Vec2],
+    size: f64,
+}
+
+impl Judge<'_> {
+    /// The nodal field of a motion, scaled to `max |y| = 1`.
+    fn field(&self, q: &Vector6<f64>) -> Vec<Vec2> {
+        let at = |i: usize| self.frame.at(q, self.mesh.node_bodies[i], self.mesh.points[i]);
+        let field: Vec<Vec2> = (0..self.mesh.points.len()).map(at).collect();
+        let largest = field.iter().map(|y| y.norm()).fold(0.0, f64::max);
+        field.into_iter().map(|y| y / largest).collect()
+    }
+
+    /// `f(y)` for the motion scaled to `max |y| = 1`.
+    fn work(&self, q: &Vector6<f64>) -> f64 {
+        self.load.iter().zip(self.field(q)).map(|(f, y)| f.dot(&y)).sum()
+    }
+
+    fn demand_equilibrium(&self, y: &Vector6<f64>) -> Result<(), Error> {
+        let work = self.work(y);
+        if work.abs() <= BALANCED * self.size {
+            return Ok(());
+        }
+        Err(Error::Solvability(format!(
+            "no equilibrium: the {} meets no resistance in either direction, but the load works on it with resultant {work:.6e} \
+             (must vanish within {:.1e}); balance the load or support the body",
+            self.frame.describe(y),
+            BALANCED * self.size
+        )))
+    }
+
+    fn demand_pressing(&self, ray: &Vector6<f64>) -> Result<(), Error> {
+        let (work, tolerance) = (self.work(ray), BALANCED * self.size);
+        if work < -tolerance {
+            return Ok(());
+        }
+        let motion = self.frame.describe(ray);
+        Err(Error::Solvability(if work > tolerance {
+            format!(
+                "no solution: the load pushes a body away by the {motion}, with resultant {work:.6e} > 0; \
+                 press the bodies together or support the body"
+            )
+        } else {
+            format!(
+                "limit load: the {motion} opens the contact and the load does no work on it (resultant {work:.1e}, zero within \
+                 {tolerance:.1e}), so contact holds the body only just; press the bodies together or support the body"
+            )
+        }))
+    }
+}
+
+/// `Σ r rᵀ` over the rows of the held directions of all nodes.
+fn support_gram(mesh: &Mesh, supports: &[NodeSupport], frame: &Frame) -> Matrix6<f64> {
+    let mut gram = Matrix6::zeros();
+    for (i, support) in supports.iter().enumerate() {
+        let held: &[Vec2] = match support.free.as_slice() {
+            [_, _] => &[],
+            [t] => &[tangent_of(*t)],
+            _ => &[Vec2::x(), Vec2::y()],
+        };
+        for m in held {
+            let row = frame.row(mesh.node_bodies[i], mesh.points[i], *m);
+            gram += row * row.transpose();
+        }
+    }
+    gram
+}
+
+fn null_space(gram: &Matrix6<f64>) -> Vec<Vector6<f64>> {
+    let eigen = SymmetricEigen::new(*gram);
+    let largest = eigen.eigenvalues.max().max(f64::MIN_POSITIVE);
+    let null = |i: &usize| eigen.eigenvalues[*i] < NULL * largest || eigen.eigenvalues.max() == 0.0;
+    (0..6).filter(null).map(|i| eigen.eigenvectors.column(i).into_owned()).collect()
+}
+
+/// The rows of `q ↦ n·(y' − y'')` at both ends of every straight piece of the zone: between them it is linear.
+fn contact_rows(mesh: &Mesh, zone: &Zone, frame: &Frame) -> Vec<Vector6<f64>> {
+    let mut rows = Vec::new();
+    let mut add = |side: usize, end: usize| {
+        let (n, x) = (zone.side_normals[side], mesh.points[mesh.contact[side].first[end] as usize]);
+        rows.push(frame.row(Body::First, x, n) - frame.row(Body::Second, x, n));
+    };
+    for side in 0..mesh.contact.len() {
+        let segment = mesh.contact[side].segment;
+        if side == 0 || mesh.contact[side - 1].segment != segment {
+            add(side, 0);
+        }
+        if side + 1 == mesh.contact.len() || mesh.contact[side + 1].segment != segment {
+            add(side, 1);
+        }
+    }
+    rows
+}
+
+/// Splits the span of `free` into the motions that leave the zone closed and an orthonormal complement.
+fn split(free: &[Vector6<f64>], contact: &[Vector6<f64>]) -> (Vec<Vector6<f64>>, Vec<Vector6<f64>>) {
+    let rows = DMatrix::from_fn(contact.len(), free.len(), |i, j| contact[i].dot(&free[j]));
+    let eigen = SymmetricEigen::new(rows.transpose() * rows);
+    let largest = eigen.eigenvalues.max();
+    let combine = |c: DVector<f64>| (0..free.len()).fold(Vector6::zeros(), |q, j| q + c[j] * free[j]);
+    let mut parts = (Vec::new(), Vec::new());
+    for (i, &value) in eigen.eigenvalues.iter().enumerate() {
+        let motion = combine(eigen.eigenvectors.column(i).into_owned());
+        if value <= NULL * largest.max(1.0) { parts.0.push(motion) } else { parts.1.push(motion) }
+    }
+    parts
+}
+
+/// The extreme rays of `{ q ∈ span(directions) : r·q ≤ 0 for every row r }`, a pointed cone: each lies on
+/// `dimension − 1` independent rows.
+fn extreme_rays(directions: &[Vector6<f64>], rows: &[Vector6<f64>]) -> Vec<Vector6<f64>> {
+    let d = directions.len();
+    if d == 0 {
+        return Vec::new();
+    }
+    let reduced: Vec<DVector<f64>> = rows.iter().map(|r| DVector::from_fn(d, |j, _| r.dot(&directions[j]))).collect();
+    let mut rays = Vec::new();
+    each_subset(reduced.len(), d - 1, &mut |subset| {
+        let Some(ray) = common_null_vector(d, subset.iter().map(|&i| &reduced[i])) else { return };
+        for ray in [ray.clone(), -ray] {
+            if reduced.iter().all(|r| r.dot(&ray) <= 1e-9 * r.norm()) {
+                rays.push((0..d).fold(Vector6::zeros(), |q, j| q + ray[j] * directions[j]));
+            }
+        }
+    });
+    rays
+}
+
+/// The unit vector orthogonal to `d − 1` rows, if they are independent.
+fn common_null_vector<'a>(d: usize, rows: impl Iterator<Item = &'a DVector<f64>>) -> Option<DVector<f64>> {
+    let gram = rows.fold(DMatrix::zeros(d, d), |g, r| g + r * r.transpose());
+    let eigen = SymmetricEigen::new(gram);
+    let largest = eigen.eigenvalues.max();
+    let null: Vec<usize> = (0..d).filter(|&i| eigen.eigenvalues[i] <= NULL * largest).collect();
+    (null.len() == 1).then(|| eigen.eigenvectors.column(null[0]).into_owned())
+}
+
+/// Visits the subsets of `0..n` with `k` members, in lexicographic order.
+fn each_subset(n: usize, k: usize, visit: &mut impl FnMut(&[usize])) {
+    fn extend(n: usize, k: usize, chosen: &mut Vec<usize>, visit: &mut impl FnMut(&[usize])) {
+        if chosen.len() == k {
+            return visit(chosen);
+        }
+        for i in chosen.last().map_or(0, |l| l + 1)..n {
+            chosen.push(i);
+            extend(n, k, chosen, visit);
+            chosen.pop();
+        }
+    }
+    extend(n, k, &mut Vec::with_capacity(k), visit);
+}

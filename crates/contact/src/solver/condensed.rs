@@ -1,0 +1,156 @@
+//! The contact problem at the price of one linear solve: condensation on the bounded components, an active set on the
+//! dense problem, back-substitution, refinement.
+//!
+//! ```text
+//! min ½ x_cᵀ S x_c − bᵀ x_c   subject to   x_c ≤ g
+//! ```
+
+use super::active_set::{DenseSolution, PrimalDual, primal_dual};
+use super::dense::DenseQp;
+use super::kernel::{anchors, impose_conditions};
+use super::monotone::{Monotone, monotone};
+use super::schur::Condensation;
+use super::{QpSolution, Settings, Status};
+use crate::qp::{BoundQp, largest, residual};
+
+/// Corrections by the residual after the first solve, at most.
+const REFINEMENTS: usize = 3;
+/// A refinement has to gain this factor to be followed by another.
+const WORTHWHILE: f64 = 0.25;
+/// Multipliers below this multiple of `‖K‖_∞‖x‖_∞ + ‖f‖_∞` are rounding.
+const ROUNDING: f64 = 1e-15;
+
+/// Solves the problem by condensation on the bounded components.
+pub fn solve(qp: &BoundQp, settings: &Settings) -> QpSolution {
+    let mut answer = QpSolution::unsolved(qp, Status::NotPositiveDefinite);
+    let Some(held) = anchors(&qp.kernel) else {
+        return answer;
+    };
+    answer.factorizations = 1;
+    let Ok(condensation) = Condensation::new(qp, &held) else {
+        return answer;
+    };
+    let matrix = condensation.schur_complement();
+    let dense = DenseQp {
+        load: condensation.reduced_load(&matrix, &qp.load),
+        upper: qp.bounds.iter().map(|b| b.upper).collect(),
+        matrix,
+    };
+    let (status, solution) = solve_dense(&dense, settings, &mut answer.history);
+    answer.iterations = answer.history.len();
+    if let Some(solution) = solution {
+        let expansion = Expansion { qp, condensation, dense, solution, held };
+        answer.x = expansion.refined();
+        answer.status = status;
+        finish(qp, &expansion.solution.active, &mut answer);
+    }
+    answer
+}
+
+/// Restores `p(x) = 0` and recomputes the multipliers of the active bounds from the unreduced system: `λ_c = (f − Kx)_c`
+/// where positive beyond rounding.
+pub(super) fn finish(qp: &BoundQp, active: &[bool], answer: &mut QpSolution) {
+    if impose_conditions(qp, &mut answer.x).is_none() {
+        answer.status = Status::NotPositiveDefinite;
+        return;
+    }
+    let reaction = residual(qp, &answer.x);
+    let scale = qp.matrix.norm_inf() * largest(&answer.x) + largest(&qp.load);
+    for (k, bound) in qp.bounds.iter().enumerate() {
+        let value = reaction[bound.dof as usize];
+        let presses = active[k] && value > ROUNDING * scale;
+        answer.multipliers[k] = if presses { value } else { 0.0 };
+    }
+}
+
+/// The primal–dual active set, and the monotone method if it stops short. No solution if there is no minimum.
+fn solve_dense(dense: &DenseQp, settings: &Settings, history: &mut Vec<usize>) -> (Status, Option<DenseSolution>) {
+    let (cycle, x) = match primal_dual(dense, settings.max_steps, history) {
+        PrimalDual::Solved(solution) => {
+            let steps = solution.steps;
+            return (Status::Converged { steps }, Some(solution));
+        }
+        PrimalDual::Stopped { cycle, x } => (cycle, x),
+    };
+    match monotone(dense, &x, history) {
+        Monotone::Solved(solution) => {
+            let steps = solution.steps;
+            (Status::Rescued { cycle, steps }, Some(solution))
+        }
+        Monotone::StepLimit(solution) => {
+            let steps = history.len();
+            (Status::IterationLimit { steps }, Some(solution))
+        }
+        Monotone::Unbounded => (Status::NotPositiveDefinite, None),
+    }
+}
+
+/// From the bounded components back to all.
+struct Expansion<'a> {
+    qp: &'a BoundQp,
+    condensation: Condensation,
+    dense: DenseQp,
+    solution: DenseSolution,
+    /// Unknowns held at zero in place of the kernel.
+    held: Vec<usize>,
+}
+
+impl Expansion<'_> {
+    /// The full solution, corrected as long as this reduces the residual.
+    fn refined(&self) -> Vec<f64> {
+        let mut x = self.expand(&self.qp.load, &self.dense.load, &self.solution.x);
+        self.put_on_bounds(&mut x);
+        let mut rest = self.free_residual(&x);
+        for _ in 0..REFINEMENTS {
+            let mut better = self.correction(&rest);
+            better.iter_mut().zip(&x).for_each(|(d, x)| *d += x);
+            self.put_on_bounds(&mut better);
+            let next = self.free_residual(&better);
+            let (before, after) = (largest(&rest), largest(&next));
+            if after < before {
+                (x, rest) = (better, next);
+            }
+            if after > WORTHWHILE * before {
+                break;
+            }
+        }
+        x
+    }
+
+    /// All components from the bounded ones; the multipliers are `λ = b − S x_c` on the active bounds.
+    fn expand(&self, load: &[f64], reduced: &[f64], bounded: &[f64]) -> Vec<f64> {
+        let mut multipliers = self.dense.residual_of(reduced, bounded);
+        for (multiplier, active) in multipliers.iter_mut().zip(&self.solution.active) {
+            *multiplier *= f64::from(u8::from(*active));
+        }
+        self.condensation.back_substitute(load, bounded, &multipliers)
+    }
+
+    /// The solution of the linear problem on the face, with the residual as load and zero on the active bounds.
+    fn correction(&self, rest: &[f64]) -> Vec<f64> {
+        let reduced = self.condensation.reduced_load(&self.dense.matrix, rest);
+        let bounded = self.solution.face.solve(&reduced);
+        self.expand(rest, &reduced, &bounded)
+    }
+
+    /// `f − Kx` without the components that carry a reaction: held unknowns and active bounds.
+    fn free_residual(&self, x: &[f64]) -> Vec<f64> {
+        let mut rest = residual(self.qp, x);
+        self.held.iter().for_each(|&i| rest[i] = 0.0);
+        self.for_each_active(|dof, _| rest[dof] = 0.0);
+        rest
+    }
+
+    /// `x_c = g` exactly on the active bounds.
+    fn put_on_bounds(&self, x: &mut [f64]) {
+        self.for_each_active(|dof, upper| x[dof] = upper);
+    }
+
+    fn for_each_active(&self, mut visit: impl FnMut(usize, f64)) {
+        for (bound, active) in self.qp.bounds.iter().zip(&self.solution.active) {
+            if *active {
+                visit(bound.dof as usize, bound.upper);
+            }
+        }
+    }
+}

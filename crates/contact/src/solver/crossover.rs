@@ -1,0 +1,79 @@
+//! From an interior point to a vertex of the active set: fix the identified bounds, solve the equality problem with a
+//! sparse factorisation of its own, check the signs, set the active set right, repeat.
+
+use super::cholesky::Cholesky;
+use super::{QpSolution, Status};
+use crate::qp::{BoundQp, largest, residual};
+
+/// Equality solves, at most.
+const ROUNDS: usize = 20;
+/// Rounding of a multiplier relative to `‖K‖_∞‖x‖_∞ + ‖f‖_∞`, and of a slack times its stiffness.
+const ROUNDING: f64 = 1e-13;
+/// Corrections of each equality solve by its residual.
+const REFINEMENTS: usize = 2;
+
+/// Replaces `answer.x` by the solution on the active set and returns that set; `None`, and the status says why, if the
+/// set did not come to rest.
+pub fn crossover(qp: &BoundQp, removed: &[bool], answer: &mut QpSolution) -> Option<Vec<bool>> {
+    let mut active = identified(qp, answer);
+    let steps = answer.iterations;
+    for _ in 0..ROUNDS {
+        answer.history.push(active.iter().filter(|a| **a).count());
+        answer.factorizations += 1;
+        let Some(x) = equality_solve(qp, removed, &active) else {
+            answer.status = Status::NotPositiveDefinite;
+            return None;
+        };
+        let next = corrected(qp, &active, &x);
+        answer.x = x;
+        if next == active {
+            answer.status = Status::Converged { steps };
+            return Some(active);
+        }
+        active = next;
+    }
+    answer.status = Status::IterationLimit { steps };
+    None
+}
+
+/// Active: the multiplier exceeds the slack times its stiffness.
+fn identified(qp: &BoundQp, answer: &QpSolution) -> Vec<bool> {
+    let presses = |(bound, multiplier): (&crate::qp::Bound, &f64)| {
+        let slack = bound.upper - answer.x[bound.dof as usize];
+        *multiplier > stiffness(qp, bound.dof as usize) * slack
+    };
+    qp.bounds.iter().zip(&answer.multipliers).map(presses).collect()
+}
+
+/// Drops the active bounds that pull, adds the violated ones; rounding changes nothing.
+fn corrected(qp: &BoundQp, active: &[bool], x: &[f64]) -> Vec<bool> {
+    let reaction = residual(qp, x);
+    let tolerance = ROUNDING * (qp.matrix.norm_inf() * largest(x) + largest(&qp.load));
+    let stays = |(bound, &active): (&crate::qp::Bound, &bool)| {
+        let dof = bound.dof as usize;
+        if active { reaction[dof] > -tolerance } else { stiffness(qp, dof) * (x[dof] - bound.upper) > tolerance }
+    };
+    qp.bounds.iter().zip(active).map(stays).collect()
+}
+
+/// `x_A = g_A`, `K_II x_I = f_I − K_IA g_A`, zero on the removed unknowns. `None` if `K_II` is not positive definite.
+fn equality_solve(qp: &BoundQp, removed: &[bool], active: &[bool]) -> Option<Vec<f64>> {
+    let mut fixed = removed.to_vec();
+    let mut x = vec![0.0; qp.matrix.dimension()];
+    for (bound, _) in qp.bounds.iter().zip(active).filter(|(_, a)| **a) {
+        fixed[bound.dof as usize] = true;
+        x[bound.dof as usize] = bound.upper;
+    }
+    let factor = Cholesky::new(&qp.matrix, &fixed, &[], &[]).ok()?;
+    for _ in 0..=REFINEMENTS {
+        let mut step = residual(qp, &x);
+        factor.solve(&mut step);
+        x.iter_mut().zip(step).for_each(|(x, d)| *x += d);
+    }
+    Some(x)
+}
+
+/// `K_ii`.
+fn stiffness(qp: &BoundQp, dof: usize) -> f64 {
+    qp.matrix.diagonal_block(dof / 2)[3 * (dof % 2)]
+}

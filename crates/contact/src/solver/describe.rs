@@ -1,0 +1,26 @@
+//! Solvers and how their solves ended, in the words of the command line and the records.
+
+use super::{Method, Status};
+use std::fmt;
+
+impl Method {
+    /// `condensed` or `interior-point`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Condensed => "condensed",
+            Self::InteriorPoint => "interior-point",
+        }
+    }
+}
+
+impl fmt::Display for Status {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::Converged { steps } => write!(f, "converged in {steps} steps"),
+            Self::Rescued { cycle: 0, steps } => write!(f, "step limit, rescued in {steps} monotone steps"),
+            Self::Rescued { cycle, steps } => write!(f, "cycle of {cycle}, rescued in {steps} monotone steps"),
+            Self::IterationLimit { steps } => write!(f, "no answer within {steps} steps"),
+            Self::NotPositiveDefinite => write!(f, "the matrix is not positive definite on the free components"),
+        }
+    }
+}

@@ -1,0 +1,215 @@
+//! The tables of one case: what was measured on each level, and the fitted rates.
+
+use crate::format;
+use crate::norm::{self, Norm};
+use crate::table::{Cell, Column, Row, Table};
+use signorini_study::record::{Ledger, Level, StudyRecord};
+
+/// Norms that carry a pairwise rate (EOC) beside them in [`errors`].
+const WITH_RATE: [&str; 4] = ["energy", "strain", "h1", "l2"];
+
+/// The cell of the level at an index.
+type CellOf<'a> = dyn Fn(usize, &Level) -> Cell + 'a;
+
+/// A column and how its cell follows from the level at an index.
+struct Measured<'a> {
+    column: Column,
+    cell: Box<CellOf<'a>>,
+}
+
+fn measured<'a>(key: &str, heading: &str, cell: impl Fn(&Level) -> Cell + 'a) -> Measured<'a> {
+    Measured { column: Column::new(key, heading), cell: Box::new(move |_, level| cell(level)) }
+}
+
+/// Everything measured, one row per level: the table of CSV and JSON.
+pub fn all(record: &StudyRecord) -> Table {
+    let mut columns = size_columns();
+    columns.extend(error_columns(record));
+    columns.extend(contact_columns());
+    columns.extend(ledger_columns());
+    columns.extend(solution_columns());
+    build(record, columns)
+}
+
+/// Mesh size and errors, each norm with its rate between successive levels.
+pub fn errors(record: &StudyRecord) -> Table {
+    let mut columns = size_columns();
+    columns.extend(error_columns(record));
+    without_empty(build(record, columns))
+}
+
+/// Contact pairs, active constraints, pressure, penetration and contact set.
+pub fn contact(record: &StudyRecord) -> Table {
+    let mut columns = vec![level_column(), h_column()];
+    columns.extend(contact_columns());
+    without_empty(build(record, columns))
+}
+
+/// The ledger's terms; `None` if no level has a ledger.
+pub fn ledger(record: &StudyRecord) -> Option<Table> {
+    record.levels.iter().find(|l| l.ledger.is_some())?;
+    let mut columns = vec![level_column(), h_column()];
+    columns.extend(ledger_columns());
+    Some(build(record, columns))
+}
+
+/// Mesh quality, certificate, error budget and solver.
+pub fn solution(record: &StudyRecord) -> Table {
+    let mut columns = vec![level_column()];
+    columns.extend(solution_columns());
+    build(record, columns)
+}
+
+/// One row per fitted norm: slope, interval, window and quality of the fit.
+pub fn rates(record: &StudyRecord) -> Table {
+    let columns = [
+        ("norm", "error"),
+        ("slope", "rate"),
+        ("stderr", "standard error"),
+        ("low", "95 % from"),
+        ("high", "95 % to"),
+        ("levels", "levels"),
+        ("r2", "R²"),
+        ("curvature", "curvature"),
+        ("dofs_slope", "rate in dofs^(−1/2)"),
+    ];
+    let rows = record.rates.iter().map(|(key, r)| Row {
+        cells: vec![
+            Cell::text(norm::words(key)),
+            Cell::Rate(r.slope),
+            Cell::Number(r.stderr),
+            Cell::Rate(r.low),
+            Cell::Rate(r.high),
+            Cell::text(format::levels(&r.levels)),
+            Cell::Number(r.r2),
+            Cell::Rate(r.curvature),
+            Cell::Rate(r.dofs_slope),
+        ],
+        excluded: None,
+    });
+    Table { rows: rows.collect(), columns: columns.map(|(key, heading)| Column::new(key, heading)).to_vec() }
+}
+
+fn build(record: &StudyRecord, measured: Vec<Measured<'_>>) -> Table {
+    let rows = record.levels.iter().enumerate().map(|(i, level)| Row {
+        cells: measured.iter().map(|m| (m.cell)(i, level)).collect(),
+        excluded: level.excluded.clone(),
+    });
+    Table { rows: rows.collect(), columns: measured.into_iter().map(|m| m.column).collect() }
+}
+
+/// Drops the columns in which no row has a value.
+fn without_empty(table: Table) -> Table {
+    let filled = |c: usize| table.rows.iter().any(|row| row.cells[c] != Cell::Missing);
+    let keep: Vec<usize> = (0..table.columns.len()).filter(|&c| filled(c)).collect();
+    let rows = table
+        .rows
+        .iter()
+        .map(|row| Row { cells: keep.iter().map(|&c| row.cells[c].clone()).collect(), excluded: row.excluded.clone() });
+    Table { rows: rows.collect(), columns: keep.iter().map(|&c| table.columns[c].clone()).collect() }
+}
+
+fn level_column() -> Measured<'static> {
+    measured("level", "level", |l| Cell::Count(l.level))
+}
+
+fn h_column() -> Measured<'static> {
+    measured("h", "h", |l| Cell::Number(l.h))
+}
+
+fn size_columns() -> Vec<Measured<'static>> {
+    vec![
+        level_column(),
+        h_column(),
+        measured("dofs", "dofs", |l| Cell::Count(l.dofs)),
+        measured("contact_pairs", "pairs", |l| Cell::Count(l.contact_pairs)),
+    ]
+}
+
+fn error_columns(record: &StudyRecord) -> Vec<Measured<'_>> {
+    let mut columns = Vec::new();
+    for norm in WITH_RATE.iter().filter_map(|key| norm::norm(key)) {
+        columns.push(error_column(norm));
+        columns.push(rate_column(record, norm));
+    }
+    if !WITH_RATE.contains(&record.norm.as_str()) {
+        columns.extend(judged_columns(record));
+    }
+    columns
+}
+
+/// The judged quantity where it is none of the usual norms.
+fn judged_columns(record: &StudyRecord) -> Vec<Measured<'_>> {
+    const SHOWN_ELSEWHERE: [&str; 5] = ["pressure_l2", "pressure_dual", "penetration_l2", "contact_set", "energy_gap"];
+    let Some(norm) = norm::norm(&record.norm) else {
+        return Vec::new();
+    };
+    let mut columns = vec![rate_column(record, norm)];
+    if !SHOWN_ELSEWHERE.contains(&norm.key) {
+        columns.insert(0, error_column(norm));
+    }
+    columns
+}
+
+fn error_column(norm: &'static Norm) -> Measured<'static> {
+    measured(norm.key, &norm.label(), |l| Cell::number(norm.value(l)))
+}
+
+fn rate_column<'a>(record: &'a StudyRecord, norm: &'static Norm) -> Measured<'a> {
+    Measured {
+        column: Column::new(format!("{}_rate", norm.key), format!("rate, {}", norm.words)),
+        cell: Box::new(move |i, _| Cell::rate(norm::pairwise(record, norm, i))),
+    }
+}
+
+fn contact_columns() -> Vec<Measured<'static>> {
+    vec![
+        measured("constraints", "constraints", |l| Cell::Count(l.constraints)),
+        measured("active", "active", |l| Cell::Count(l.active)),
+        measured("switch_sides", "switch sides", |l| Cell::count(l.switch_sides)),
+        measured("pressure_l2", "pressure ‖p−pₕ‖₀", |l| Cell::number(l.errors.pressure_l2)),
+        measured("pressure_dual", "pressure, dual norm", |l| Cell::number(l.errors.pressure_dual)),
+        measured("penetration_l2", "penetration", |l| Cell::number(l.errors.penetration_l2)),
+        measured("contact_set", "contact set |C △ Cₕ|", |l| Cell::number(l.errors.contact_set)),
+        measured("energy_gap", "L(uₕ)−L(u)", |l| Cell::number(l.errors.energy_gap)),
+    ]
+}
+
+fn ledger_columns() -> Vec<Measured<'static>> {
+    let term = |key, heading, value: fn(&Ledger) -> f64| {
+        measured(key, heading, move |l| Cell::number(l.ledger.as_ref().map(value)))
+    };
+    vec![
+        term("ledger_lhs", "½A(e,e)", |t| t.lhs),
+        term("ledger_a", "a", |t| t.a),
+        term("ledger_b", "b", |t| t.b),
+        term("ledger_c", "c", |t| t.c),
+        term("ledger_delta", "δ", |t| t.delta),
+        measured("ledger_holds", "holds", |l| {
+            let holds = l.ledger.as_ref().and_then(|t| t.holds);
+            holds.map_or(Cell::Missing, Cell::Flag)
+        }),
+    ]
+}
+
+fn solution_columns() -> Vec<Measured<'static>> {
+    vec![
+        measured("min_angle", "min angle °", |l| Cell::Number(l.min_angle)),
+        measured("side_ratio", "β", |l| Cell::Number(l.side_ratio)),
+        measured("two_way", "two-way", |l| Cell::number(l.two_way)),
+        measured("energy_value", "L(uₕ)", |l| Cell::Number(l.energy)),
+        measured("kkt_stationarity", "KKT stationarity", |l| Cell::Number(l.kkt.stationarity)),
+        measured("kkt_penetration", "KKT penetration", |l| Cell::Number(l.kkt.penetration)),
+        measured("kkt_tension", "KKT tension", |l| Cell::Number(l.kkt.tension)),
+        measured("kkt_complementarity", "KKT compl.", |l| Cell::Number(l.kkt.complementarity)),
+        measured("weakly_active", "weakly active", |l| Cell::Count(l.kkt.weakly_active)),
+        measured("budget_algebraic", "algebraic", |l| Cell::number(l.budget.algebraic)),
+        measured("budget_quadrature", "quadrature", |l| Cell::number(l.budget.quadrature)),
+        measured("budget_geometry", "geometry", |l| Cell::number(l.budget.geometry)),
+        measured("budget_reference", "reference", |l| Cell::number(l.budget.reference)),
+        measured("solver", "solver", |l| Cell::text(&l.solver.name)),
+        measured("status", "status", |l| Cell::text(&l.solver.status)),
+        measured("iterations", "iterations", |l| Cell::Count(l.solver.iterations)),
+        measured("mesh_hash", "mesh", |l| Cell::text(&l.mesh_hash)),
+    ]
+}

@@ -1,0 +1,221 @@
+//! The page of one case: question, claim, set-up, verdict, tables and pictures, in the order a reader asks.
+
+use crate::format;
+use crate::levels;
+use crate::norm;
+use crate::summary::reference_word;
+use crate::table::{Cell, Column, Row, Table};
+use crate::verdict;
+use signorini_study::record::{ClaimKind, Rate, Reference, StudyRecord};
+
+/// Which pictures stand beside the page.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Pictures {
+    /// `rates.png`.
+    pub rates: bool,
+    /// `ledger.png`.
+    pub ledger: bool,
+}
+
+/// `report.md` of one case.
+pub fn page(record: &StudyRecord, pictures: Pictures) -> String {
+    let sections = [
+        head(record),
+        section("Question", &record.question),
+        claim(record),
+        set_up(record),
+        verdict_section(record),
+        section("What would refute it", &record.refuted_by),
+        errors(record, pictures.rates),
+        ledger(record, pictures.ledger),
+        table_section("Contact", &levels::contact(record), CONTACT_LEGEND),
+        table_section("Certificate, budget and solver", &levels::solution(record), SOLUTION_LEGEND),
+        notes(record),
+        reproduce(record),
+    ];
+    sections.into_iter().filter(|s| !s.is_empty()).collect::<Vec<_>>().join("\n")
+}
+
+const ERRORS_LEGEND: &str = "h is the largest side; a rate stands beside its norm and is taken between a level and the \
+usable level before it, log(e₁/e₂) / log(h₁/h₂).";
+const LEDGER_LEGEND: &str = "The estimate of the error, term by term: ½A(e,e) ≤ a + b + c with a = ½A(u−u_I, u−u_I), \
+b and c the terms of the contact zone, δ the quadrature estimate of them all.";
+const CONTACT_LEGEND: &str = "Active: constraints whose multiplier exceeds 1e-8 of the largest. Contact set: length of \
+the symmetric difference with the reference's.";
+const SOLUTION_LEGEND: &str = "Two-way: relative difference of A(e,e) by quadrature and by energies. KKT: scaled \
+residuals of the optimality conditions, recomputed from the raw data. Algebraic, quadrature, geometry, reference: \
+shares of the energy error that are not discretisation.";
+
+fn head(record: &StudyRecord) -> String {
+    let case = if record.several { format!(" · case `{}`", record.case) } else { String::new() };
+    format!("# {}\n\nStudy `{}`{case} · **{}**\n", record.title, record.study, verdict::words(record))
+}
+
+fn section(title: &str, body: &str) -> String {
+    if body.trim().is_empty() {
+        return String::new();
+    }
+    format!("## {title}\n\n{}\n", body.trim())
+}
+
+fn table_section(title: &str, table: &Table, legend: &str) -> String {
+    if table.rows.is_empty() {
+        return String::new();
+    }
+    section(title, &format!("{}\n{legend}", table.to_markdown()))
+}
+
+fn claim(record: &StudyRecord) -> String {
+    let judged = format!(
+        "Claim `{}`, judged as {} in the norm *{}*.",
+        record.claim,
+        kind_words(record.kind),
+        norm::words(&record.norm),
+    );
+    let observed = norm::judged_rate(record);
+    let bounds = bounds_table(record, observed).to_markdown();
+    let mut body = format!("{}\n\n{judged}\n\n{bounds}", record.statement.trim());
+    if let Some(rate) = observed {
+        body += &format!("\n{}", fit_words(rate));
+    }
+    section("Claim", &body)
+}
+
+fn kind_words(kind: ClaimKind) -> &'static str {
+    match kind {
+        ClaimKind::Rate => "a rate",
+        ClaimKind::Inequality => "an inequality on every level",
+        ClaimKind::Exact => "exact to rounding on every level",
+        ClaimKind::Convergence => "convergence from level to level",
+        ClaimKind::Bounded => "a bounded constant",
+    }
+}
+
+fn bounds_table(record: &StudyRecord, observed: Option<&Rate>) -> Table {
+    let row = |words: &str, rate: Cell, from: Cell, to: Cell| Row {
+        cells: vec![Cell::text(words), rate, from, to],
+        excluded: None,
+    };
+    let bound = |words: &str, value| row(words, Cell::bound(value), Cell::Missing, Cell::Missing);
+    Table {
+        columns: ["", "rate", "95 % from", "to"].map(|heading| Column::new(heading, heading)).to_vec(),
+        rows: vec![
+            bound("paper", record.bounds.paper),
+            bound("today", record.bounds.today),
+            bound("expected from the regularity", record.bounds.expected),
+            row(
+                "**observed**",
+                Cell::rate(observed.map(|r| r.slope)),
+                Cell::rate(observed.map(|r| r.low)),
+                Cell::rate(observed.map(|r| r.high)),
+            ),
+        ],
+    }
+}
+
+/// The window and the quality of the fit, in a sentence.
+fn fit_words(rate: &Rate) -> String {
+    format!(
+        "Fitted over {}: standard error {}, R² {:.6}, change of the pairwise rate per level {}; \
+         against dofs^(−1/2) the slope is {}.\n",
+        format::level_words(&rate.levels),
+        format::significant(rate.stderr, 2),
+        rate.r2,
+        format::rate(rate.curvature),
+        format::rate(rate.dofs_slope),
+    )
+}
+
+fn set_up(record: &StudyRecord) -> String {
+    let mut lines = vec![format!("- Family: {}", family_words(record))];
+    lines.push(format!("- Reference: {}", reference_words(&record.reference)));
+    lines.push(format!("- Profile: {}, {} levels", record.profile, record.levels.len()));
+    if !record.parameters.is_empty() {
+        let values = record.parameters.iter();
+        let words: Vec<String> = values.map(|(name, x)| format!("{name} = {x}")).collect();
+        lines.push(format!("- Parameters: {}", words.join(", ")));
+    }
+    section("Set-up", &format!("{}\n\n{}", record.setup.trim(), lines.join("\n")))
+}
+
+fn family_words(record: &StudyRecord) -> String {
+    let nested = if record.levels.iter().skip(1).all(|l| l.nested) { "nested" } else { "not nested" };
+    let seed = if record.seed == 0 { String::new() } else { format!(", seed {}", record.seed) };
+    if record.levels.len() < 2 {
+        return format!("{}{seed}", record.family);
+    }
+    format!("{}, {nested}{seed}", record.family)
+}
+
+fn reference_words(reference: &Reference) -> String {
+    let Reference::Overkill { h, dofs, energy, estimated_error, stationarity, solver } = reference else {
+        return match reference_word(reference) {
+            "exact" => "exact, a closed form".into(),
+            _ => "none: energies and certificates alone".into(),
+        };
+    };
+    let own = estimated_error.map_or(format::MISSING.into(), |e| format::significant(e, 3));
+    format!(
+        "overkill, the discrete solution at h = {} ({dofs} dofs, solver {solver}); its energy {energy}, its own \
+         error in the energy norm about {own}, its stationarity residual {}",
+        format::significant(*h, 5),
+        format::significant(*stationarity, 3),
+    )
+}
+
+fn verdict_section(record: &StudyRecord) -> String {
+    let mut lines = vec![format!("**{}**\n", verdict::words(record))];
+    lines.extend(record.verdict.reasons.iter().map(|why| format!("- {why}")));
+    if let Some(expect) = record.expect {
+        let wanted = verdict::outcome_word(expect);
+        lines.push(format!("- This case is a control: it is built so that the verdict must be *{wanted}*."));
+    }
+    if let Some(why) = &record.expected_inconclusive {
+        lines.push(format!("- At the sizes of the quick profile no verdict is expected: {why}"));
+    }
+    section("Verdict", &lines.join("\n"))
+}
+
+fn errors(record: &StudyRecord, picture: bool) -> String {
+    if record.levels.is_empty() {
+        return String::new();
+    }
+    let mut body = image(picture, "rates.png", "Errors against mesh size");
+    body += &format!("{}\n{ERRORS_LEGEND}\n", levels::errors(record).to_markdown());
+    if !record.rates.is_empty() {
+        body += &format!("\n{}", levels::rates(record).to_markdown());
+    }
+    section("Errors", &body)
+}
+
+fn ledger(record: &StudyRecord, picture: bool) -> String {
+    let Some(table) = levels::ledger(record) else {
+        return String::new();
+    };
+    let image = image(picture, "ledger.png", "Terms of the ledger against mesh size");
+    section("Ledger", &format!("{image}{}\n{LEDGER_LEGEND}", table.to_markdown()))
+}
+
+fn image(there: bool, file: &str, words: &str) -> String {
+    if there { format!("![{words}]({file})\n\n") } else { String::new() }
+}
+
+fn notes(record: &StudyRecord) -> String {
+    let lines: Vec<String> = record.notes.iter().map(|note| format!("- {note}")).collect();
+    section("Notes", &lines.join("\n"))
+}
+
+/// The command that makes this record again.
+pub fn command(record: &StudyRecord) -> String {
+    let sizes = match record.profile.as_str() {
+        "quick" => String::new(),
+        "custom" => format!(" --levels {}", record.levels.len()),
+        profile => format!(" --profile {profile}"),
+    };
+    format!("signorini run {}{sizes}", record.study)
+}
+
+fn reproduce(record: &StudyRecord) -> String {
+    let tables = "The same numbers with every digit: [table.csv](table.csv), [table.json](table.json).";
+    section("Reproduce it", &format!("```sh\n{}\n```\n\n{tables}", command(record)))
+}

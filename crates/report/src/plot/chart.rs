@@ -1,0 +1,195 @@
+//! What a picture shows, as data: a log–log chart against the mesh size.
+
+/// Colour-blind-safe colours (Okabe and Ito), with black and a grey for what does not count.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Colour {
+    /// Blue.
+    Blue,
+    /// Vermillion.
+    Vermillion,
+    /// Bluish green.
+    Green,
+    /// Reddish purple.
+    Purple,
+    /// Orange.
+    Orange,
+    /// Black.
+    Black,
+    /// Grey: levels left out of the fit, secondary text.
+    Grey,
+    /// Light grey: the grid.
+    Pale,
+    /// The background.
+    White,
+}
+
+impl Colour {
+    /// Red, green, blue.
+    pub fn rgb(self) -> [u8; 3] {
+        match self {
+            Self::Blue => [0, 114, 178],
+            Self::Vermillion => [213, 94, 0],
+            Self::Green => [0, 138, 100],
+            Self::Purple => [173, 84, 136],
+            Self::Orange => [190, 130, 0],
+            Self::Black => [20, 20, 20],
+            Self::Grey => [120, 120, 120],
+            Self::Pale => [226, 226, 226],
+            Self::White => [255, 255, 255],
+        }
+    }
+}
+
+/// Shape of a curve's marks, so that colour is never the only difference.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shape {
+    /// ●
+    Circle,
+    /// ■
+    Square,
+    /// ▲
+    Triangle,
+    /// ◆
+    Diamond,
+}
+
+/// What a mark stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MarkKind {
+    /// A level that counts.
+    Used,
+    /// A level left out of the fit.
+    Greyed,
+    /// The absolute value of a negative number.
+    Negative,
+}
+
+/// One measured value, `value > 0`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mark {
+    /// Mesh size.
+    pub h: f64,
+    /// Error or ledger term.
+    pub value: f64,
+    /// How to draw it.
+    pub kind: MarkKind,
+}
+
+/// Measured values joined by a line and labelled at its end.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Curve {
+    /// Name, e.g. `strain |u−uₕ|`.
+    pub label: String,
+    /// Second line of the label, e.g. the rate with its interval; may be empty.
+    pub detail: String,
+    /// Colour of marks, line and label.
+    pub colour: Colour,
+    /// Shape of the marks.
+    pub shape: Shape,
+    /// Whether the curve is drawn strong; the others are thin.
+    pub strong: bool,
+    /// Whether the claim is about this curve, so that the bounds stand near it.
+    pub judged: bool,
+    /// The values, in the order of the levels.
+    pub marks: Vec<Mark>,
+}
+
+impl Curve {
+    /// Whether two mesh sizes differ, without which no slope can be seen.
+    pub fn has_slope(&self) -> bool {
+        self.marks.windows(2).any(|pair| pair[0].h != pair[1].h)
+    }
+}
+
+/// A fitted line with its 95 % band: `log e = intercept + slope log h`, natural logarithms.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Band {
+    /// Colour of line and shade.
+    pub colour: Colour,
+    /// Slope of the line.
+    pub slope: f64,
+    /// `log e` at `h = 1`.
+    pub intercept: f64,
+    /// Mesh sizes of the window.
+    pub window: Vec<f64>,
+    /// Half the width of the slope's 95 % interval.
+    pub half_width: f64,
+}
+
+impl Band {
+    /// Half the width of the 95 % band of the fitted line, in `log e`, at `log h = x`.
+    ///
+    /// With `t·se(slope) = t·s/√Sxx`: `t·s·√(1/n + (x−x̄)²/Sxx) = half_width · √(Sxx/n + (x−x̄)²)`.
+    pub fn half_width_at(&self, x: f64) -> f64 {
+        let n = self.window.len() as f64;
+        let mean = self.window.iter().map(|h| h.ln()).sum::<f64>() / n;
+        let sxx: f64 = self.window.iter().map(|h| (h.ln() - mean).powi(2)).sum();
+        self.half_width * (sxx / n + (x - mean).powi(2)).sqrt()
+    }
+
+    /// `log e` on the line at `log h = x`.
+    pub fn line_at(&self, x: f64) -> f64 {
+        self.intercept + self.slope * x
+    }
+
+    /// Smallest and largest mesh size of the window.
+    pub fn ends(&self) -> (f64, f64) {
+        let fold = |f: fn(f64, f64) -> f64, start: f64| self.window.iter().copied().fold(start, f);
+        (fold(f64::min, f64::INFINITY), fold(f64::max, f64::NEG_INFINITY))
+    }
+}
+
+/// A bound drawn as a slope triangle.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Slope {
+    /// The exponent of `h`.
+    pub exponent: f64,
+    /// The order, e.g. `O(h)`, `O(h^{3/4})`.
+    pub label: String,
+    /// Whose bound, e.g. `paper, today`.
+    pub source: String,
+}
+
+/// A log–log chart.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Chart {
+    /// Study and case.
+    pub title: String,
+    /// What came out, one line each.
+    pub subtitle: Vec<String>,
+    /// What the horizontal axis shows.
+    pub x_label: String,
+    /// What the vertical axis shows.
+    pub y_label: String,
+    /// The curves.
+    pub curves: Vec<Curve>,
+    /// Fitted lines.
+    pub bands: Vec<Band>,
+    /// Bounds.
+    pub slopes: Vec<Slope>,
+    /// What the reader should know beside: levels left out, curves not drawn.
+    pub remarks: Vec<String>,
+}
+
+impl Chart {
+    /// Every mark of every curve.
+    pub(crate) fn marks(&self) -> impl Iterator<Item = &Mark> {
+        self.curves.iter().flat_map(|c| &c.marks)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Textbook case by hand: x = log h = 0, 1, 2 gives x̄ = 1, Sxx = 2, so at x̄ the band is half_width·√(2/3).
+    #[test]
+    fn band_is_narrowest_at_the_mean() {
+        let e = std::f64::consts::E;
+        let band =
+            Band { colour: Colour::Blue, slope: 1.0, intercept: 0.0, window: vec![1.0, e, e * e], half_width: 0.3 };
+        assert!((band.half_width_at(1.0) - 0.3 * (2.0_f64 / 3.0).sqrt()).abs() < 1e-14);
+        assert!((band.half_width_at(3.0) - 0.3 * (2.0_f64 / 3.0 + 4.0).sqrt()).abs() < 1e-14);
+        assert!((band.line_at(2.0) - 2.0).abs() < 1e-15);
+    }
+}

@@ -1,0 +1,108 @@
+//! `ledger`: the terms of the error estimate against the mesh size.
+
+use super::chart::{Chart, Colour, Curve, Mark, Shape, Slope};
+use super::rates::{excluded, kind};
+use crate::format;
+use crate::summary::name;
+use signorini_study::record::{Ledger, Level, StudyRecord};
+
+/// A term of the ledger and how it is drawn.
+struct Term {
+    words: &'static str,
+    colour: Colour,
+    shape: Shape,
+    strong: bool,
+    value: fn(&Ledger) -> f64,
+}
+
+/// The sum first: its squares show around the circles of the left side where the two nearly agree.
+const TERMS: [Term; 5] = [
+    Term { words: "a + b + c", colour: Colour::Black, shape: Shape::Square, strong: true, value: |l| l.a + l.b + l.c },
+    Term { words: "½A(e,e)", colour: Colour::Blue, shape: Shape::Circle, strong: true, value: |l| l.lhs },
+    Term { words: "a", colour: Colour::Green, shape: Shape::Triangle, strong: false, value: |l| l.a },
+    Term { words: "b", colour: Colour::Vermillion, shape: Shape::Diamond, strong: false, value: |l| l.b },
+    Term { words: "c", colour: Colour::Purple, shape: Shape::Diamond, strong: false, value: |l| l.c },
+];
+
+/// `½A(e,e)`, the terms `a`, `b`, `c` by their absolute values, and their sum, against `h`, with the bound's own slope
+/// (the square of the claimed rate) beside them.
+///
+/// `None` if no level has a ledger with a positive finite term.
+pub fn ledger(record: &StudyRecord) -> Option<Chart> {
+    let polygonal = levels(record).all(|(_, l)| l.c == 0.0);
+    let terms = TERMS.iter().filter(|t| !(polygonal && t.words == "c"));
+    let curves: Vec<Curve> = terms.filter_map(|t| curve(record, t, polygonal)).collect();
+    if curves.is_empty() {
+        return None;
+    }
+    let sloped = curves.iter().any(Curve::has_slope);
+    Some(Chart {
+        title: format!("{}: ledger", name(record)),
+        subtitle: vec![record.title.clone(), inequality(record, polygonal)],
+        x_label: "mesh size h (largest side)".into(),
+        y_label: "terms, squares of the energy norm".into(),
+        curves,
+        bands: Vec::new(),
+        slopes: if sloped { vec![slope(record)] } else { Vec::new() },
+        remarks: remarks(record, polygonal),
+    })
+}
+
+fn levels(record: &StudyRecord) -> impl Iterator<Item = (&Level, &Ledger)> {
+    record.levels.iter().filter_map(|l| l.ledger.as_ref().map(|ledger| (l, ledger)))
+}
+
+fn curve(record: &StudyRecord, term: &Term, polygonal: bool) -> Option<Curve> {
+    let marks: Vec<Mark> = levels(record).filter_map(|(level, l)| mark(level, (term.value)(l))).collect();
+    let negative = levels(record).any(|(_, l)| (term.value)(l) < 0.0);
+    let words = if polygonal && term.words == "a + b + c" { "a + b" } else { term.words };
+    (!marks.is_empty()).then(|| Curve {
+        label: if negative { format!("|{words}|") } else { words.into() },
+        detail: String::new(),
+        colour: term.colour,
+        shape: term.shape,
+        strong: term.strong,
+        judged: term.strong,
+        marks,
+    })
+}
+
+fn mark(level: &Level, value: f64) -> Option<Mark> {
+    let drawable = value != 0.0 && value.is_finite() && level.h > 0.0 && level.h.is_finite();
+    drawable.then(|| Mark { h: level.h, value: value.abs(), kind: kind(level, value) })
+}
+
+/// `½A(e,e) ≤ a + b holds on levels 0–4, is broken on level 5`
+fn inequality(record: &StudyRecord, polygonal: bool) -> String {
+    let sum = if polygonal { "a + b" } else { "a + b + c" };
+    let verdicts = [(Some(true), "holds"), (None, "within its tolerance"), (Some(false), "BROKEN")];
+    let parts = verdicts.iter().filter_map(|(wanted, words)| {
+        let found: Vec<usize> = levels(record).filter(|(_, l)| l.holds == *wanted).map(|(l, _)| l.level).collect();
+        (!found.is_empty()).then(|| format!("{words} on {}", format::level_words(&found)))
+    });
+    format!("½A(e,e) ≤ {sum}: {}", parts.collect::<Vec<_>>().join(", "))
+}
+
+/// Squares fall twice as fast as norms: `h²` for `O(h)`, `h³ᐟ²` for `O(h³ᐟ⁴)`.
+fn slope(record: &StudyRecord) -> Slope {
+    let energy_like = matches!(record.norm.as_str(), "strain" | "energy" | "h1");
+    let bound = record.bounds.paper.or(record.bounds.today).or(record.bounds.expected);
+    match bound.filter(|b| energy_like && b.is_finite()) {
+        Some(rate) => Slope { exponent: 2.0 * rate, label: format::order(2.0 * rate), source: "claimed".into() },
+        None => Slope { exponent: 2.0, label: "O(h²)".into(), source: "to compare".into() },
+    }
+}
+
+fn remarks(record: &StudyRecord, polygonal: bool) -> Vec<String> {
+    let mut remarks = excluded(record);
+    if levels(record).any(|(_, l)| [l.a, l.b, l.c, l.a + l.b + l.c].iter().any(|x| *x < 0.0)) {
+        remarks.push("Hollow marks: the absolute value of a negative term.".into());
+    }
+    for term in TERMS.iter().filter(|t| !(polygonal && t.words == "c")) {
+        let zero: Vec<usize> = levels(record).filter(|(_, l)| (term.value)(l) == 0.0).map(|(l, _)| l.level).collect();
+        if !zero.is_empty() {
+            remarks.push(format!("Not drawn: {} is zero on {}.", term.words, format::level_words(&zero)));
+        }
+    }
+    remarks
+}

@@ -1,0 +1,150 @@
+//! `rates`: the errors of a case against its measured mesh size.
+
+use super::chart::{Band, Chart, Colour, Curve, Mark, MarkKind, Shape, Slope};
+use crate::format;
+use crate::norm::{NORMS, Norm, judged_rate};
+use crate::summary::name;
+use crate::verdict;
+use signorini_study::record::{Level, StudyRecord};
+
+/// Errors against `h`: the strain seminorm, the energy norm and the norm that the claim judges drawn strong, `H¹` and
+/// `L²` thin; the fitted line of the judged norm with its 95 % band; the bounds as slope triangles.
+///
+/// `None` if no error is positive and finite.
+pub fn rates(record: &StudyRecord) -> Option<Chart> {
+    let curves: Vec<Curve> = NORMS.iter().filter_map(|norm| curve(record, norm)).collect();
+    if curves.is_empty() {
+        return None;
+    }
+    let judged = NORMS.iter().position(|n| n.key == record.norm);
+    let judged_curve = judged.and_then(|i| curve(record, &NORMS[i]));
+    Some(Chart {
+        title: name(record),
+        subtitle: vec![record.title.clone(), outcome(record)],
+        x_label: "mesh size h (largest side)".into(),
+        y_label: "error norms, e = u − uₕ".into(),
+        bands: judged_curve.iter().filter_map(|c| band(record, c.colour)).collect(),
+        slopes: if judged_curve.is_some_and(|c| c.has_slope()) { slopes(record) } else { Vec::new() },
+        curves,
+        remarks: remarks(record),
+    })
+}
+
+/// The curve of one norm, if the picture shows it and it has a value.
+fn curve(record: &StudyRecord, norm: &Norm) -> Option<Curve> {
+    let judged = norm.key == record.norm;
+    let (colour, shape) = match norm.key {
+        "strain" => (Colour::Blue, Shape::Circle),
+        "energy" => (Colour::Vermillion, Shape::Square),
+        "h1" => (Colour::Green, Shape::Triangle),
+        "l2" => (Colour::Purple, Shape::Diamond),
+        _ if judged => (Colour::Black, Shape::Circle),
+        _ => return None,
+    };
+    let marks: Vec<Mark> = record.levels.iter().filter_map(|level| mark(level, norm)).collect();
+    let rate = record.rates.get(norm.key);
+    (!marks.is_empty()).then(|| Curve {
+        label: norm.label(),
+        detail: rate.map_or_else(String::new, |r| format::interval(r.slope, r.low, r.high)),
+        colour,
+        shape,
+        strong: judged || matches!(norm.key, "strain" | "energy"),
+        judged,
+        marks,
+    })
+}
+
+fn mark(level: &Level, norm: &Norm) -> Option<Mark> {
+    let kind = kind(level, norm.value(level)?);
+    let value = norm.value(level)?.abs();
+    let drawable = value > 0.0 && value.is_finite() && level.h > 0.0 && level.h.is_finite();
+    drawable.then_some(Mark { h: level.h, value, kind })
+}
+
+/// How a value of that level is drawn.
+pub(super) fn kind(level: &Level, value: f64) -> MarkKind {
+    match level.excluded {
+        Some(_) => MarkKind::Greyed,
+        None if value < 0.0 => MarkKind::Negative,
+        None => MarkKind::Used,
+    }
+}
+
+fn band(record: &StudyRecord, colour: Colour) -> Option<Band> {
+    let rate = judged_rate(record)?;
+    let inside = |level: &&Level| rate.levels.contains(&level.level) && level.h > 0.0;
+    Some(Band {
+        colour,
+        slope: rate.slope,
+        intercept: rate.intercept,
+        window: record.levels.iter().filter(inside).map(|l| l.h).collect(),
+        half_width: 0.5 * (rate.high - rate.low),
+    })
+}
+
+/// The paper's bound and today's, equal ones together; the expected rate joins them, and stands alone if there are
+/// none.
+fn slopes(record: &StudyRecord) -> Vec<Slope> {
+    let bounds = &record.bounds;
+    let proven = bounds.paper.is_some() || bounds.today.is_some();
+    let mut slopes: Vec<Slope> = Vec::new();
+    for (value, source) in [(bounds.paper, "paper"), (bounds.today, "today"), (bounds.expected, "expected")] {
+        let Some(exponent) = value.filter(|x| x.is_finite()) else {
+            continue;
+        };
+        match slopes.iter_mut().find(|s| s.exponent == exponent) {
+            Some(same) => same.source += &format!(", {source}"),
+            None if proven && source == "expected" => {}
+            None => slopes.push(Slope { exponent, label: format::order(exponent), source: source.into() }),
+        }
+    }
+    slopes
+}
+
+/// `observed 0.998 [0.994, 1.002] on levels 2–6 · paper 1 · today 1 · expected 1 · pass`
+fn outcome(record: &StudyRecord) -> String {
+    let observed = judged_rate(record).map_or_else(
+        || "no fitted rate".into(),
+        |r| {
+            let interval = format::interval(r.slope, r.low, r.high);
+            format!("observed {interval} on levels {}", format::levels(&r.levels))
+        },
+    );
+    let bounds = &record.bounds;
+    let shown = [("paper", bounds.paper), ("today", bounds.today), ("expected", bounds.expected)]
+        .map(|(words, value)| format!("{words} {}", value.map_or(format::MISSING.into(), format::bound)));
+    format!("{observed} · {} · {}", shown.join(" · "), verdict::words(record))
+}
+
+/// What the picture leaves out or greys, in words.
+fn remarks(record: &StudyRecord) -> Vec<String> {
+    let mut remarks = excluded(record);
+    let Some(norm) = NORMS.iter().find(|n| n.key == record.norm) else {
+        return remarks;
+    };
+    let missing = record.levels.iter().filter(|l| mark(l, norm).is_none());
+    let missing: Vec<usize> = missing.map(|l| l.level).collect();
+    if !missing.is_empty() {
+        let levels = format::level_words(&missing);
+        remarks.push(format!("Not drawn, zero or without a value: {} on {levels}.", norm.label()));
+    }
+    remarks
+}
+
+/// The levels left out of the fit, together where the reason is the same.
+pub(super) fn excluded(record: &StudyRecord) -> Vec<String> {
+    let mut groups: Vec<(&str, Vec<usize>)> = Vec::new();
+    for level in &record.levels {
+        let Some(why) = level.excluded.as_deref() else {
+            continue;
+        };
+        match groups.iter_mut().find(|(reason, _)| *reason == why) {
+            Some((_, levels)) => levels.push(level.level),
+            None => groups.push((why, vec![level.level])),
+        }
+    }
+    let words = |(why, levels): (&str, Vec<usize>)| {
+        format!("Grey, left out of the fit: {}: {why}.", format::level_words(&levels))
+    };
+    groups.into_iter().map(words).collect()
+}

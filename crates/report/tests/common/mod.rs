@@ -1,0 +1,215 @@
+//! Records built by hand, with rates known in advance.
+
+#![allow(dead_code, reason = "each test file uses its own part")]
+
+use signorini_study::record::{
+    Bounds, Budget, ClaimKind, Errors, Kkt, Ledger, Level, Outcome, Rate, Reference, SCHEMA, SolverRecord, StudyRecord,
+    Verdict,
+};
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+
+/// `C h^p`
+pub type Power = (f64, f64);
+
+/// Errors `C h^p` of strain, energy, `H¹` and `L²` on `h = √2/8, √2/16, …`.
+pub fn record(levels: usize, strain: Power, energy: Power, h1: Power, l2: Power) -> StudyRecord {
+    let at = |(c, p): Power, h: f64| Some(c * h.powf(p));
+    let errors = |h: f64| Errors {
+        strain: at(strain, h),
+        energy: at(energy, h),
+        h1: at(h1, h),
+        l2: at(l2, h),
+        pressure_l2: at((0.7, 0.5), h),
+        contact_set: at((0.4, 1.0), h),
+        ..Errors::default()
+    };
+    let levels: Vec<Level> = (0..levels).map(|k| level(k, errors)).collect();
+    let mut record = blank(levels);
+    for (key, (c, p)) in [("strain", strain), ("energy", energy), ("h1", h1), ("l2", l2)] {
+        if record.levels.len() >= 4 {
+            record.rates.insert(key.into(), rate(&record.levels, c, p));
+        }
+    }
+    record
+}
+
+/// Rate one in energy, two in `L²`, a ledger, seven levels.
+pub fn healthy() -> StudyRecord {
+    let mut record = record(7, (0.21, 1.0), (0.44, 1.0), (0.235, 1.0), (0.09, 2.0));
+    for level in &mut record.levels {
+        let square = level.errors.energy.unwrap_or(0.0).powi(2);
+        level.ledger = Some(Ledger {
+            lhs: 0.5 * square,
+            a: 0.52 * square,
+            b: 0.03 * square * (1.0 + 0.5 * (level.level as f64).sin()),
+            c: 0.0,
+            delta: 1e-9 * square,
+            holds: Some(true),
+        });
+        level.two_way = Some(1e-9);
+    }
+    record
+}
+
+/// An empty record of one case with these levels.
+pub fn blank(levels: Vec<Level>) -> StudyRecord {
+    StudyRecord {
+        schema: SCHEMA,
+        study: "thm31-flat-contact".into(),
+        case: "criss-cross".into(),
+        several: true,
+        title: "Two blocks in flat contact with one switch point".into(),
+        question: "Does the strain seminorm of the error fall like h?".into(),
+        setup: "Two unit blocks, the upper pressed on the lower.".into(),
+        refuted_by: "A rate below 0.95 on regular meshes.".into(),
+        parameters: BTreeMap::from([("alpha".into(), 1.5), ("N".into(), 3.0)]),
+        claim: "theorem-3.1".into(),
+        statement: "|u − u_h| ≤ c h".into(),
+        kind: ClaimKind::Rate,
+        norm: "strain".into(),
+        family: "criss-cross".into(),
+        reference: Reference::Exact,
+        profile: "quick".into(),
+        seed: 0,
+        levels,
+        rates: BTreeMap::new(),
+        bounds: Bounds { paper: Some(1.0), today: Some(1.0), expected: Some(1.0) },
+        verdict: Verdict { outcome: Outcome::Pass, reasons: vec!["the interval lies above 0.95".into()] },
+        expect: None,
+        expected_inconclusive: None,
+        notes: vec!["the mesh is symmetric".into()],
+    }
+}
+
+fn level(k: usize, errors: impl Fn(f64) -> Errors) -> Level {
+    let n = 8_usize << k;
+    let h = std::f64::consts::SQRT_2 / n as f64;
+    Level {
+        level: k,
+        h,
+        min_angle: 45.0,
+        side_ratio: std::f64::consts::SQRT_2,
+        nested: k > 0,
+        dofs: 4 * n * n,
+        contact_pairs: n + 1,
+        constraints: n,
+        active: n / 2,
+        switch_sides: Some(1),
+        energy: -0.123,
+        two_way: None,
+        mesh_hash: format!("{k:016x}"),
+        errors: errors(h),
+        ledger: None,
+        kkt: Kkt { stationarity: 1.3e-14, ..Kkt::default() },
+        budget: Budget { algebraic: Some(1e-9), geometry: Some(0.0), ..Budget::default() },
+        solver: SolverRecord {
+            name: "condensed".into(),
+            status: "converged".into(),
+            solved: true,
+            iterations: 4 + k,
+            factorizations: 1,
+        },
+        excluded: None,
+    }
+}
+
+/// The exact rate `p` of `C h^p`, with an interval of ±0.004.
+pub fn rate(levels: &[Level], c: f64, p: f64) -> Rate {
+    let window: Vec<usize> = levels.iter().map(|l| l.level).skip(1).collect();
+    Rate {
+        slope: p,
+        stderr: 0.0015,
+        low: p - 0.004,
+        high: p + 0.004,
+        pairwise: window.iter().map(|&k| (k, p)).collect(),
+        levels: window,
+        intercept: c.ln(),
+        r2: 0.99999,
+        curvature: 0.0007,
+        dofs_slope: p,
+    }
+}
+
+/// A healthy record and those that a careless picture stumbles over, by name.
+pub fn hard() -> Vec<(&'static str, StudyRecord)> {
+    let flat = |c: f64| record(6, (c, 0.0), (c, 0.0), (c, 0.0), (c, 0.0));
+    let mut exact = flat(1e-16);
+    exact.kind = ClaimKind::Exact;
+    exact.rates.clear();
+    exact.bounds = Bounds::default();
+    let mut null = healthy();
+    let mut zero = healthy();
+    let mut one_mesh = healthy();
+    let mut negative = healthy();
+    let mut broken = healthy();
+    for (k, level) in null.levels.iter_mut().enumerate() {
+        level.errors = Errors::default();
+        level.ledger = None;
+        zero.levels[k].errors = Errors { strain: Some(0.0), ..Errors::default() };
+        zero.levels[k].ledger = Some(Ledger { lhs: 0.0, a: 0.0, b: 0.0, c: 0.0, delta: 0.0, holds: None });
+        one_mesh.levels[k].h = 0.1;
+        if let Some(ledger) = &mut negative.levels[k].ledger {
+            ledger.b *= if k % 2 == 0 { -1.0 } else { 1.0 };
+            ledger.c = ledger.lhs * if k < 2 { -0.3 } else { 0.2 };
+        }
+        if let Some(ledger) = &mut broken.levels[k].ledger {
+            ledger.b = 0.0;
+            ledger.holds = [Some(true), None, Some(false)][k % 3];
+        }
+        if k > 4 {
+            broken.levels[k].excluded = Some("reference contamination 7.1 % of the energy error, above 5 %".into());
+        }
+    }
+    null.rates.clear();
+    let mut two_bounds = record(6, (0.3, 0.97), (0.31, 0.96), (0.3, 0.97), (0.31, 1.9));
+    two_bounds.bounds.paper = Some(0.75);
+    for level in &mut two_bounds.levels {
+        let wobble = 1.0 + 0.3 * (level.level as f64 * 2.2).sin();
+        for e in [&mut level.errors.strain, &mut level.errors.energy] {
+            *e = e.map(|x| x * wobble);
+        }
+    }
+    for rate in two_bounds.rates.values_mut() {
+        (rate.low, rate.high) = (rate.slope - 0.4, rate.slope + 0.4);
+    }
+    let mut wild = record(5, (1e-3, -40.0), (1e150, 40.0), (1.0, 1.0), (1e-250, 2.0));
+    wild.bounds.today = Some(0.0);
+    let mut words = healthy();
+    words.title =
+        "A title | with a bar, far longer than any picture is wide, so that it has to be broken into lines ".repeat(3);
+    words.study = "a-study-of-a-name-that-goes-on-and-on-without-any-need-for-it-at-all-until-nobody-reads-it".into();
+    for level in &mut words.levels {
+        level.excluded =
+            Some(format!("reason {} of a length that fills the foot of the picture by itself", level.level));
+    }
+    let mut unknown = healthy();
+    unknown.norm = "no-such-norm".into();
+    let mut pressure = healthy();
+    pressure.norm = "pressure_l2".into();
+    pressure.bounds = Bounds { paper: None, today: None, expected: Some(0.5) };
+    vec![
+        ("healthy", healthy()),
+        ("one-level", record(1, (0.2, 1.0), (0.4, 1.0), (0.2, 1.0), (0.1, 2.0))),
+        ("no-level", blank(Vec::new())),
+        ("all-null", null),
+        ("all-zero", zero),
+        ("rounding", exact),
+        ("equal", flat(0.37)),
+        ("one-mesh", one_mesh),
+        ("negative-terms", negative),
+        ("broken-ledger", broken),
+        ("two-bounds", two_bounds),
+        ("wild", wild),
+        ("long-words", words),
+        ("unknown-norm", unknown),
+        ("pressure", pressure),
+    ]
+}
+
+/// An empty folder of that name for one test.
+pub fn folder(name: &str) -> PathBuf {
+    let dir = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let _ = std::fs::remove_dir_all(&dir);
+    dir
+}

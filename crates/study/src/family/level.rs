@@ -1,0 +1,177 @@
+//! One level of a family, and the hierarchy that holds every level and the reference mesh.
+
+use super::Family;
+use super::perturb::{Guard, perturb, turn_diagonals};
+use super::random::Random;
+use crate::study::Shape;
+use signorini_contact::mesh::blocks::{QuadBlock, triangulate};
+use signorini_contact::mesh::{Hierarchy, Mesh, PartOutline, Quality, Triangulation};
+use signorini_contact::{Error, Point};
+
+/// A level of a family and its certificate.
+#[derive(Clone, Debug)]
+pub struct Level {
+    /// The level's mesh is the finest one; the coarser ones are there for multigrid and prolongation.
+    pub hierarchy: Hierarchy,
+    /// Mesh size and regularity, measured.
+    pub quality: Quality,
+    /// Whether the mesh refines the one of the previous level, so that `V_{k−1} ⊂ V_k` by construction. `false` for the first
+    /// level and for fresh meshes, even where the spaces happen to be nested.
+    pub nested: bool,
+    /// Name of the mesh, see [`Mesh::hash`].
+    pub hash: String,
+}
+
+/// How many red refinements lead from `coarse` cells to `n`: `k` with `n = 2^k · coarse`, if there is one.
+pub fn refinements(coarse: usize, n: usize) -> Option<usize> {
+    let ratio = (coarse > 0 && n.is_multiple_of(coarse)).then(|| n / coarse)?;
+    ratio.is_power_of_two().then(|| ratio.trailing_zeros() as usize)
+}
+
+/// The mesh of level `index`, with `cells[index]` cells per unit of the blocks' divisions.
+///
+/// `cells` lists all levels and must not descend; `outlines` and `contact` are those of [`Mesh::build`]. A level depends on
+/// `cells[0]`, `cells[index]` and, for `nested` alone, on `cells[index − 1]`.
+///
+/// # Errors
+/// [`Error::Mesh`] for cells that descend or are 0, an index without cells, an amount outside `[0, ½)`, a refined family whose
+/// cells are no `2^k cells[0]`, and whatever [`triangulate`] and [`Mesh::build`] refuse.
+pub fn build_level(
+    family: &Family,
+    shapes: &[Shape; 2],
+    outlines: &[PartOutline],
+    contact: &[Point],
+    cells: &[usize],
+    index: usize,
+) -> Result<Level, Error> {
+    check(family, cells)?;
+    let Some(&n) = cells.get(index) else {
+        return refuse(format!("level {index} does not exist; there are {} levels, from 0", cells.len()));
+    };
+    let scene = Scene { family, shapes, outlines, contact };
+    let hierarchy = match refinements(cells[0], n) {
+        Some(steps) if family.is_nested() => scene.refined(cells[0], steps)?,
+        None if matches!(family, Family::Refined { .. }) => {
+            return refuse(not_a_refinement(cells[0], n));
+        }
+        _ => Hierarchy::new(scene.fresh(n)?),
+    };
+    let finest = hierarchy.finest();
+    Ok(Level {
+        quality: finest.quality(),
+        hash: finest.hash(),
+        nested: family.is_nested() && index > 0 && follows(cells, index),
+        hierarchy,
+    })
+}
+
+/// Every level of a nested family and the reference mesh of `reference_n` cells as the finest: level `i` of `cells` is mesh
+/// [`refinements`]`(cells[0], cells[i])`, equal to the last bit to that of [`build_level`].
+///
+/// # Errors
+/// [`Error::Mesh`] as for [`build_level`], for a family that is not nested, and for cells that are not `2^k cells[0]`.
+pub fn build_reference(
+    family: &Family,
+    shapes: &[Shape; 2],
+    outlines: &[PartOutline],
+    contact: &[Point],
+    cells: &[usize],
+    reference_n: usize,
+) -> Result<Hierarchy, Error> {
+    check(family, cells)?;
+    if !family.is_nested() {
+        return refuse(format!(
+            "the family {} is not nested, so a reference on a finer mesh cannot hold its fields; structured, criss-cross \
+             and refined are nested: take one of them or an exact reference",
+            family.name()
+        ));
+    }
+    let (coarse, finest) = (cells[0], cells[cells.len() - 1]);
+    if reference_n < finest {
+        return refuse(format!(
+            "the reference has {reference_n} cells, fewer than the finest level's {finest}; give it more"
+        ));
+    }
+    if let Some(&n) = cells.iter().find(|&&n| refinements(coarse, n).is_none()) {
+        return refuse(not_a_refinement(coarse, n));
+    }
+    match refinements(coarse, reference_n) {
+        Some(steps) => Scene { family, shapes, outlines, contact }.refined(coarse, steps),
+        None => refuse(not_a_refinement(coarse, reference_n)),
+    }
+}
+
+/// Whether level `index` and the one before are refinements of the coarsest mesh.
+fn follows(cells: &[usize], index: usize) -> bool {
+    [index - 1, index].iter().all(|&i| refinements(cells[0], cells[i]).is_some())
+}
+
+fn check(family: &Family, cells: &[usize]) -> Result<(), Error> {
+    if cells.is_empty() || cells[0] == 0 || !cells.is_sorted() {
+        return refuse(format!("the cells {cells:?} of the levels must be positive and must not descend"));
+    }
+    match family.amount() {
+        Some(amount) if !(0.0..0.5).contains(&amount) => refuse(format!(
+            "the family {} moves nodes by {amount} of a cell; give an amount of at least 0 and below 0.5",
+            family.name()
+        )),
+        _ => Ok(()),
+    }
+}
+
+fn not_a_refinement(coarse: usize, n: usize) -> String {
+    format!("{n} cells are no refinement of the coarsest level's {coarse}: use {coarse} times a power of two")
+}
+
+fn refuse<T>(message: String) -> Result<T, Error> {
+    Err(Error::Mesh(message))
+}
+
+/// What all levels of a case have in common.
+struct Scene<'a> {
+    family: &'a Family,
+    shapes: &'a [Shape; 2],
+    outlines: &'a [PartOutline],
+    contact: &'a [Point],
+}
+
+impl Scene<'_> {
+    fn refined(&self, coarse: usize, steps: usize) -> Result<Hierarchy, Error> {
+        let mut hierarchy = Hierarchy::new(self.fresh(coarse)?);
+        (0..steps).for_each(|_| hierarchy.refine());
+        Ok(hierarchy)
+    }
+
+    /// The mesh of `n` cells by itself. Random numbers depend on the seed and on `n` alone.
+    fn fresh(&self, n: usize) -> Result<Mesh, Error> {
+        let mut bodies = [self.triangulate(0, n)?, self.triangulate(1, n)?];
+        let guard = Guard::of(&bodies);
+        let mut random = Random::new(self.family.seed(), n as u64);
+        if matches!(self.family, Family::Refined { .. }) {
+            bodies.iter_mut().for_each(|b| turn_diagonals(b, guard, &mut random));
+        }
+        let mut mesh = Mesh::build(bodies, self.outlines, self.contact)?;
+        if let Some(amount) = self.family.amount() {
+            perturb(&mut mesh, &self.fixed(), amount, guard, &mut random);
+        }
+        Ok(mesh)
+    }
+
+    fn triangulate(&self, body: usize, n: usize) -> Result<Triangulation, Error> {
+        let shape = &self.shapes[body];
+        let block =
+            |b: &crate::study::Block| QuadBlock { corners: b.corners, cells: b.divisions.map(|d| d.saturating_mul(n)) };
+        let blocks: Vec<_> = shape.blocks.iter().map(block).collect();
+        triangulate(&blocks, self.family.pattern()).map_err(|error| match error {
+            Error::Mesh(message) => Error::Mesh(format!("body \"{}\": {message}", shape.name)),
+            other => other,
+        })
+    }
+
+    /// Points that keep their place on the boundary: corners and ends of parts, of the contact polyline and of blocks.
+    fn fixed(&self) -> Vec<Point> {
+        let parts = self.outlines.iter().flat_map(|p| &p.along);
+        let blocks = self.shapes.iter().flat_map(|s| &s.blocks).flat_map(|b| &b.corners);
+        parts.chain(self.contact).chain(blocks).copied().collect()
+    }
+}

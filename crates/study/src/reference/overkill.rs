@@ -1,0 +1,49 @@
+//! A discrete reference on a finer nested mesh: the difference is piecewise linear there and integrated exactly.
+
+use signorini_contact::Vec2;
+use signorini_contact::material::Material;
+use signorini_contact::mesh::Hierarchy;
+use signorini_contact::norm::{self, Squares};
+use signorini_contact::problem::{Discrete, Solution};
+
+/// The reference solution with the meshes below it.
+pub struct Overkill {
+    /// Every study level and, finest, the reference mesh.
+    pub hierarchy: Hierarchy,
+    /// The discrete problem on the reference mesh.
+    pub discrete: Discrete,
+    /// Its solution.
+    pub solution: Solution,
+}
+
+impl Overkill {
+    /// The nodal values of a coarse field on the reference mesh; `level` counts in the hierarchy.
+    pub fn prolong(&self, level: usize, coarse: &[Vec2]) -> Vec<Vec2> {
+        self.hierarchy.prolong(level, self.hierarchy.levels().len() - 1, coarse)
+    }
+
+    /// The reference's nodal values at the nodes of a coarser level: its interpolant there.
+    pub fn interpolant(&self, level: usize) -> &[Vec2] {
+        &self.solution.displacement[..self.hierarchy.levels()[level].points.len()]
+    }
+
+    /// Squares of `u_ref − v` for a field on the reference mesh.
+    pub fn error(&self, materials: &[Material; 2], v: &[Vec2]) -> Squares {
+        let difference: Vec<Vec2> = self.solution.displacement.iter().zip(v).map(|(u, v)| u - v).collect();
+        norm::of_linear(self.hierarchy.finest(), materials, &difference)
+    }
+
+    /// `A(u_ref, w) − f(w) = −Σ λ_c w_c` for `w = v − u_ref`: the reference's own residual, which stands for the exact
+    /// contact stress.
+    pub fn contact_work(&self, v: &[Vec2]) -> f64 {
+        let jump = |k: usize| {
+            let origin = &self.discrete.origins[k];
+            let pair = &self.discrete.zone.pairs[origin.pair];
+            let normal = pair.constraints[origin.constraint].normal;
+            let of = |field: &[Vec2]| normal.dot(&(field[pair.first as usize] - field[pair.second as usize]));
+            of(v) - of(&self.solution.displacement)
+        };
+        let forces = &self.solution.raw.multipliers;
+        -(0..forces.len()).map(|k| forces[k] * jump(k)).sum::<f64>()
+    }
+}

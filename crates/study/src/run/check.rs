@@ -1,0 +1,71 @@
+//! Everything but the solve: what a case would do, level by level.
+
+use super::{Profile, verify_exact};
+use crate::error::RunError;
+use crate::family;
+use crate::study::{Case, ReferencePlan};
+use signorini_contact::problem::Problem;
+
+/// A level before it is solved.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CheckedLevel {
+    /// The study's `n`.
+    pub cells: usize,
+    /// Largest side.
+    pub h: f64,
+    /// Smallest angle in degrees.
+    pub min_angle: f64,
+    /// Longest over shortest side.
+    pub side_ratio: f64,
+    /// Whether `V_{k−1} ⊂ V_k`.
+    pub nested: bool,
+    /// Free displacement components.
+    pub dofs: usize,
+    /// Pairs on `Γ_K`.
+    pub contact_pairs: usize,
+    /// Constraints kept.
+    pub constraints: usize,
+    /// Warnings of mesh and rigid motions.
+    pub warnings: Vec<String>,
+}
+
+/// Verifies the exact solution, meshes every level, and tests supports, loads and rigid motions.
+///
+/// # Errors
+/// As [`run_case`](super::run_case).
+pub fn check_case(case: &Case, profile: Profile) -> Result<Vec<CheckedLevel>, RunError> {
+    verify_exact(case)?;
+    let cells = if profile == Profile::Quick { &case.quick } else { &case.full };
+    let levels: Result<Vec<_>, _> = (0..cells.len()).map(|index| check_level(case, cells, index)).collect();
+    if let ReferencePlan::Overkill { .. } = case.reference
+        && !case.family.is_nested()
+    {
+        return Err(RunError::Reference(format!(
+            "the family '{}' is not nested, so a finer mesh is no reference for it; use an exact solution, or a nested family",
+            case.family.name()
+        )));
+    }
+    levels
+}
+
+fn check_level(case: &Case, cells: &[usize], index: usize) -> Result<CheckedLevel, RunError> {
+    let scene = &case.scene;
+    let meshed =
+        family::build_level(&case.family, &scene.bodies, &scene.part_outlines(), &scene.contact, cells, index)?;
+    let supports = scene.supports();
+    let cubature = scene.cubature(0, case.fixed_quadrature);
+    let mesh = meshed.hierarchy.finest();
+    let problem = Problem { mesh, materials: scene.materials, supports: &supports, data: scene, cubature: &cubature };
+    let discrete = problem.discretise()?;
+    Ok(CheckedLevel {
+        cells: cells[index],
+        h: meshed.quality.h,
+        min_angle: meshed.quality.min_angle,
+        side_ratio: meshed.quality.side_ratio,
+        nested: meshed.nested,
+        dofs: discrete.dofs(),
+        contact_pairs: discrete.zone.pairs.len(),
+        constraints: discrete.qp.bounds.len(),
+        warnings: discrete.warnings,
+    })
+}

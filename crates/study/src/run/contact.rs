@@ -1,0 +1,187 @@
+//! What happens on the contact zone: pressure, penetration, contact set and switch points of a discrete solution.
+
+use crate::study::ExactScene;
+use signorini_contact::geometry::{Point, Vec2};
+use signorini_contact::mesh::Mesh;
+use signorini_contact::problem::{Discrete, Solution};
+use signorini_contact::quadrature::Cubature;
+use signorini_contact::zone::{Zone, side_length};
+
+/// A constraint is active when its force exceeds this share of the largest.
+const ACTIVE: f64 = 1e-8;
+
+/// The discrete contact zone, side by side.
+pub struct ContactState {
+    /// Pressure `λ_i/m_i` at the two ends of every side, one value per segment at a corner.
+    pub pressure: Vec<[f64; 2]>,
+    /// Whether the two ends are active.
+    pub active: Vec<[bool; 2]>,
+    /// `[u_h]_n` at the two ends.
+    pub jump: Vec<[f64; 2]>,
+    /// Number of active constraints.
+    pub active_constraints: usize,
+}
+
+impl ContactState {
+    /// Reads the contact forces and jumps off a solution.
+    pub fn new(mesh: &Mesh, discrete: &Discrete, solution: &Solution) -> Self {
+        let largest = solution.raw.multipliers.iter().fold(0.0, |m: f64, l| m.max(l.abs()));
+        let is_active = |force: f64| force > ACTIVE * largest;
+        let zone = &discrete.zone;
+        let force = |(pair, k): (usize, usize)| solution.contact_forces[pair][k];
+        let pressure = |(pair, k): (usize, usize)| force((pair, k)) / zone.pairs[pair].constraints[k].mass;
+        Self {
+            pressure: zone.side_ends.iter().map(|ends| ends.map(pressure)).collect(),
+            active: zone.side_ends.iter().map(|ends| ends.map(|e| is_active(force(e)))).collect(),
+            jump: jumps(mesh, zone, &solution.displacement),
+            active_constraints: solution.raw.multipliers.iter().filter(|l| is_active(**l)).count(),
+        }
+    }
+
+    /// Sides with one active and one open end.
+    pub fn switch_sides(&self) -> usize {
+        self.active.iter().filter(|[a, b]| a != b).count()
+    }
+
+    /// `‖([u_h]_n)_+‖_{0,Γ_K}`: the jump is linear on a side, so the positive part integrates in closed form.
+    pub fn penetration(&self, mesh: &Mesh) -> f64 {
+        let square = |(side, jump): (usize, &[f64; 2])| side_length(mesh, side) * positive_square(*jump);
+        self.jump.iter().enumerate().map(square).sum::<f64>().sqrt()
+    }
+}
+
+/// `[v]_n = n·(v' − v'')` at the two ends of every contact side.
+pub fn jumps(mesh: &Mesh, zone: &Zone, v: &[Vec2]) -> Vec<[f64; 2]> {
+    let of_side = |(side, n): (&signorini_contact::mesh::ContactSide, &Vec2)| {
+        [0, 1].map(|end| n.dot(&(v[side.first[end] as usize] - v[side.second[end] as usize])))
+    };
+    mesh.contact.iter().zip(&zone.side_normals).map(of_side).collect()
+}
+
+/// `∫_0^1 (linear from a to b)_+² ds`.
+fn positive_square([a, b]: [f64; 2]) -> f64 {
+    let cube = |x: f64| x.max(0.0).powi(3);
+    if a > 0.0 && b > 0.0 {
+        (a * a + a * b + b * b) / 3.0
+    } else if a != b {
+        // One end is positive: (a³ − b³)/(3(a − b)) over the positive part.
+        (cube(a) - cube(b)) / (3.0 * (a - b))
+    } else {
+        0.0
+    }
+}
+
+/// Errors on the contact zone against the exact solution.
+pub struct ContactErrors {
+    /// `‖p − p_h‖_{0,Γ_K}`.
+    pub pressure: f64,
+    /// `(Σ h_s ‖p − p_h‖²_{0,s})^{1/2}`.
+    pub pressure_dual: f64,
+    /// Length of the symmetric difference of the contact sets; a node owns its half sides.
+    pub contact_set: f64,
+    /// Sides that hold a switch point of the exact solution inside.
+    pub switch_sides: usize,
+}
+
+/// Measures the discrete zone against the exact solution.
+pub fn against_exact(
+    exact: &ExactScene,
+    mesh: &Mesh,
+    zone: &Zone,
+    state: &ContactState,
+    cubature: &Cubature,
+) -> ContactErrors {
+    let switches = exact.solution.switch_points();
+    let mut errors = ContactErrors { pressure: 0.0, pressure_dual: 0.0, contact_set: 0.0, switch_sides: 0 };
+    for (side, &normal) in zone.side_normals.iter().enumerate() {
+        let ends = mesh.contact[side].first.map(|i| mesh.points[i as usize]);
+        let length = side_length(mesh, side);
+        let along = signorini_contact::geometry::Segment { a: ends[0], b: ends[1] };
+        let [p0, p1] = state.pressure[side];
+        let mut square = 0.0;
+        cubature.side(ends[0], ends[1], &mut |x, w| {
+            let s = along.parameter(x);
+            let difference = -exact.contact_stress(x, normal) - ((1.0 - s) * p0 + s * p1);
+            square += w * difference * difference;
+        });
+        errors.pressure += square;
+        errors.pressure_dual += length * square;
+        let inside: Vec<f64> = switches
+            .iter()
+            .filter(|p| along.distance(**p) < 1e-9 * length)
+            .map(|p| along.parameter(*p))
+            .filter(|s| (1e-9..=1.0 - 1e-9).contains(s))
+            .collect();
+        errors.switch_sides += usize::from(!inside.is_empty());
+        let closed = |x: Point| {
+            exact.jump(x, normal) >= -1e-14 * exact.solution.value(signorini_contact::Body::First, x).norm().max(1e-3)
+        };
+        errors.contact_set +=
+            length * wrong_share(&inside, state.active[side], |s| closed(ends[0] + s * (ends[1] - ends[0])));
+    }
+    errors.pressure = errors.pressure.sqrt();
+    errors.pressure_dual = errors.pressure_dual.sqrt();
+    errors
+}
+
+/// The share of a side on which the discrete contact set (by halves) and the exact one differ.
+fn wrong_share(switches: &[f64], active: [bool; 2], closed: impl Fn(f64) -> bool) -> f64 {
+    let mut cuts = vec![0.0, 0.5, 1.0];
+    cuts.extend(switches);
+    cuts.sort_by(f64::total_cmp);
+    let wrong = |w: &&[f64]| {
+        let middle = 0.5 * (w[0] + w[1]);
+        closed(middle) != active[usize::from(middle > 0.5)]
+    };
+    cuts.windows(2).filter(wrong).map(|w| w[1] - w[0]).sum()
+}
+
+/// Errors on the contact zone of a coarse solution against a discrete reference on a nested finer mesh.
+pub fn against_reference(mesh: &Mesh, state: &ContactState, fine: &Mesh, reference: &ContactState) -> ContactErrors {
+    let mut errors =
+        ContactErrors { pressure: 0.0, pressure_dual: 0.0, contact_set: 0.0, switch_sides: state.switch_sides() };
+    // Refinement splits every contact side into the same number of pieces, in order.
+    let pieces = fine.contact.len() / mesh.contact.len();
+    for (k, [r0, r1]) in reference.pressure.iter().enumerate() {
+        let (side, piece) = (k / pieces, k % pieces);
+        let at = |i: usize| i as f64 / pieces as f64;
+        let [p0, p1] = state.pressure[side];
+        let coarse = |s: f64| (1.0 - s) * p0 + s * p1;
+        let (d0, d1) = (r0 - coarse(at(piece)), r1 - coarse(at(piece + 1)));
+        let length = side_length(fine, k);
+        let square = length * (d0 * d0 + d0 * d1 + d1 * d1) / 3.0;
+        errors.pressure += square;
+        errors.pressure_dual += side_length(mesh, side) * square;
+        let half = |end: usize| {
+            let s = at(piece) + (0.25 + 0.5 * end as f64) / pieces as f64;
+            state.active[side][usize::from(s > 0.5)] != reference.active[k][end]
+        };
+        errors.contact_set += 0.5 * length * (0..2).filter(|&end| half(end)).count() as f64;
+    }
+    errors.pressure = errors.pressure.sqrt();
+    errors.pressure_dual = errors.pressure_dual.sqrt();
+    errors
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_positive_part_of_a_linear_function_integrates_in_closed_form() {
+        for ends in [[0.3, 0.7], [-0.2, 0.5], [0.4, -0.1], [-0.3, -0.4], [0.0, 0.0], [0.0, 1.0], [0.5, 0.5]] {
+            let n = 20_000;
+            let at = |i: i32| (f64::from(i) + 0.5) / f64::from(n);
+            let sum: f64 = (0..n).map(|i| (ends[0] + at(i) * (ends[1] - ends[0])).max(0.0).powi(2)).sum();
+            assert!((positive_square(ends) - sum / f64::from(n)).abs() < 1e-8, "{ends:?}");
+        }
+    }
+
+    #[test]
+    fn the_contact_sets_differ_by_the_length_between_switch_and_half_side() {
+        // Exact contact up to s = 0.3, discrete contact on the first half: 0.2 differ.
+        assert!((wrong_share(&[0.3], [true, false], |s| s < 0.3) - 0.2).abs() < 1e-15);
+        assert!((wrong_share(&[], [true, true], |_| true)).abs() < 1e-15);
+        assert!((wrong_share(&[], [true, true], |_| false) - 1.0).abs() < 1e-15);
+    }
+}

@@ -1,0 +1,52 @@
+//! Seconds and bytes of a level, kept in a file apart from the record so that records stay identical from run to run.
+
+use serde::{Deserialize, Serialize};
+use std::time::Instant;
+
+/// Wall seconds of each phase of a level.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct LevelTimes {
+    /// Triangulation and refinement.
+    pub mesh: f64,
+    /// Loads (with the quadrature of the exact solution, if there is one) and stiffness.
+    pub assembly: f64,
+    /// Factorisation and active set; they are one call.
+    pub solve: f64,
+    /// Errors, ledger, certificates.
+    pub error: f64,
+    /// Largest resident memory of the process so far, where the system tells.
+    pub peak_bytes: Option<u64>,
+}
+
+/// Times the phases of a level one after the other.
+pub struct Stopwatch {
+    last: Instant,
+    times: LevelTimes,
+}
+
+impl Stopwatch {
+    /// Starts the first phase.
+    pub fn start() -> Self {
+        Self { last: Instant::now(), times: LevelTimes::default() }
+    }
+
+    /// Ends a phase: `lap(|t| &mut t.mesh)`.
+    pub fn lap(&mut self, phase: impl Fn(&mut LevelTimes) -> &mut f64) {
+        let now = Instant::now();
+        *phase(&mut self.times) += (now - self.last).as_secs_f64();
+        self.last = now;
+    }
+
+    /// The times, with the memory's high-water mark.
+    pub fn finish(mut self) -> LevelTimes {
+        self.times.peak_bytes = peak_bytes();
+        self.times
+    }
+}
+
+/// `VmHWM` of this process on Linux.
+fn peak_bytes() -> Option<u64> {
+    let status = std::fs::read_to_string("/proc/self/status").ok()?;
+    let line = status.lines().find(|l| l.starts_with("VmHWM:"))?;
+    line.split_whitespace().nth(1)?.parse::<u64>().ok().map(|kb| 1024 * kb)
+}
