@@ -2,10 +2,7 @@
 
 use super::error::{Fault, refuse};
 use super::field::{INSIDE, expression_fault};
-<<<<<<< HEAD
 use super::fixed::Fixed;
-=======
->>>>>>> main
 use super::raw::{RawExact, RawField, RawLame};
 use super::shape::point;
 use super::words::suggestion;
@@ -68,11 +65,7 @@ fn expressions(
         expression_fault(culprit, &e.source, &INSIDE, parameters)
     })?;
     solution.singular_points = raw.singular.iter().map(point).collect();
-<<<<<<< HEAD
     solution.break_lines = raw.breaks.iter().map(|s| Segment { a: point(&s[0]), b: point(&s[1]) }).collect();
-=======
-    solution.break_lines = raw.breaks.iter().map(|[a, b]| Segment { a: point(a), b: point(b) }).collect();
->>>>>>> main
     solution.switch_points = raw.switches.iter().map(point).collect();
     Ok(solution)
 }

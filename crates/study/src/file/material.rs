@@ -29,11 +29,7 @@ pub fn material(raw: &Spanned<RawMaterial>) -> Result<Material, Fault> {
     }
     if let Some(c) = m.matrix {
         return checked(
-<<<<<<< HEAD
             Material::general(c.0.map(|r| r.0.map(|x| x.0))),
-=======
-            Material::general(c.map(|r| r.map(|x| x.0))),
->>>>>>> main
             raw,
             "give a symmetric, positive definite matrix",
         );

@@ -11,10 +11,7 @@ mod canonical;
 mod error;
 mod exact;
 mod field;
-<<<<<<< HEAD
 mod fixed;
-=======
->>>>>>> main
 mod judge;
 mod layer;
 pub mod library;

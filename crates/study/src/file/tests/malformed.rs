@@ -113,11 +113,13 @@ const TABLE: &[Row] = &[
     ("\"sin(x)\"", "\"2*sinn(x)\"", "sinn", "sinn"),
     ("\"sin(x)\"", "\"nx\"", "nx", "nx"),
     ("\"-0.1*nx\"", "\"-0.1*k\"", "k\"", "k"),
+    ("condition = \"fixed\"", "condition = \"fixed\"\nvalue = [\"0\", \"ny\"]", "ny\"]\n", "ny"),
     ("condition = \"fixed\"", "condition = \"sliding\"\nvalue = [\"0\", \"0\"]", "[\"0\", \"0\"]", "`value` on boundary `bottom`"),
     // how it is computed and judged
     ("quick = [8, 16, 32, 64]", "quick = []", "[]", "no levels"),
     ("quick = [8, 16, 32, 64]", "quick = [8, 16, 16, 64]", "[8, 16, 16", "level 16 does not refine level 16"),
     ("quick = [8, 16, 32, 64]", "quick = [8, 12, 32, 64]", "[8, 12", "does not arise from 12 cells"),
+    ("[levels]", "[reference]\nkind = \"none\"\n[levels]\nfull = [8, 24]", "[8, 24]", "never has 24"),
     ("quick = [8, 16, 32, 64]", "quick = [8, 99999]", "[8, 99999", "99999 cells"),
     ("amount = 0.2", "amount = 0.5", "0.5", "amount = 0.5 must lie between 0 and 0.5"),
     ("amount = 0.2 }", "}", "{ name = \"refined\"", "needs `seed` and `amount`"),

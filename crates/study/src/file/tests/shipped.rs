@@ -1,7 +1,7 @@
 //! The shipped studies parse, resolve and say what the theory says.
 
 use crate::exact::sobolev_order;
-use crate::family::Family;
+use crate::family::{Family, build_level};
 use crate::file::library::{EVERYTHING, shipped};
 use crate::file::{Group, LibraryError, find_studies};
 use crate::record::{ClaimKind, Outcome};
@@ -103,6 +103,19 @@ fn overkill_cases_measure_against_finer_meshes() {
     assert_eq!((c.quick.as_slice(), c.family), (&[8, 16, 32, 64][..], Family::Refined { seed: 1, amount: 0.3 }));
     let exact = case(&study, "perturbed");
     assert_eq!((exact.quick.last(), exact.full.last()), (Some(&128), Some(&512)));
+}
+
+/// Parts cover the boundary, blocks fit, contact nodes match: the mesh builder sees to all of it.
+#[test]
+fn every_scene_can_be_meshed_and_its_angles_are_not_small() {
+    for study in shipped().sources.iter().map(|s| s.load().unwrap()) {
+        for c in &study.cases {
+            let (scene, cells) = (&c.scene, &c.quick[..1]);
+            let level = build_level(&c.family, &scene.bodies, &scene.part_outlines(), &scene.contact, cells, 0)
+                .unwrap_or_else(|e| panic!("{} {}: {e}", study.id, c.name));
+            assert!(level.quality.min_angle > 10.0, "{} {}: {}°", study.id, c.name, level.quality.min_angle);
+        }
+    }
 }
 
 /// The corner of each patch lies on both bodies, and the exact jump does not penetrate on either flank.
