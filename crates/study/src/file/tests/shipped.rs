@@ -187,3 +187,29 @@ fn studies_are_found_from_below_and_shipped_ones_elsewhere() {
     assert!(below.folder.unwrap().ends_with("studies"));
     assert_eq!(find_studies(Path::new("/proc")).folder, None);
 }
+
+/// `b = ∫ T_n [u_I]_n ds` of one cell, by the midpoint rule from the traces `p` and `g` of the many-switches cell, over
+/// `h² = 2/n²`: its largest value is the constant of the study's gate.
+#[test]
+fn the_constant_of_many_switches_is_that_of_one_cell() {
+    const SIGMA: f64 = 0.43;
+    let pressure = |t: f64| if t < SIGMA { 3000.0 * (t * (SIGMA - t)).powi(2) } else { 0.0 };
+    let gap = |t: f64| if t > SIGMA { 400.0 * ((t - SIGMA) * (1.0 - t)).powi(3) } else { 0.0 };
+    let constant = |n: u32| {
+        let side = 1.0 / f64::from(n);
+        let points = (0..4000).map(|i| (f64::from(i) + 0.5) / 4000.0);
+        let b: f64 = points
+            .map(|x| {
+                let left = (x / side).floor() * side;
+                let share = (x - left) / side;
+                pressure(x) * (gap(left) * (1.0 - share) + gap(left + side) * share) / 4000.0
+            })
+            .sum();
+        b / (2.0 * side * side)
+    };
+    let largest = [1, 2, 4, 8, 16, 32].map(constant).into_iter().fold(0.0, f64::max);
+    for c in load("many-switches").cases {
+        let stated = c.gates.constant.unwrap();
+        assert!((largest / stated - 1.0).abs() < 0.01, "{}: {largest} {stated}", c.name);
+    }
+}
