@@ -1,7 +1,7 @@
 //! Boundary parts and the contact zone of a study file.
 
 use super::error::{Fault, refuse};
-use super::field::{BOUNDARY, vector_field};
+use super::field::{BOUNDARY, INSIDE, vector_field};
 use super::raw::{ConditionName, RawBoundary, RawContact};
 use super::shape::polyline;
 use super::words::suggestion;
@@ -38,8 +38,10 @@ fn part(raw: &RawBoundary, shapes: &[Shape; 2], parameters: &BTreeMap<String, f6
 }
 
 fn condition(raw: &RawBoundary, parameters: &BTreeMap<String, f64>) -> Result<PartCondition, Fault> {
-    let value = raw.value.as_ref().map(|v| vector_field(v.get_ref(), &BOUNDARY, parameters)).transpose()?;
     let name = *raw.condition.get_ref();
+    // A displacement has one value at a corner, where the normal has two: it may not depend on the normal.
+    let variables: &[&str] = if name == ConditionName::Fixed { &INSIDE } else { &BOUNDARY };
+    let value = raw.value.as_ref().map(|v| vector_field(v.get_ref(), variables, parameters)).transpose()?;
     if let (Some(v), ConditionName::Sliding | ConditionName::Free) = (&raw.value, name) {
         let message = format!("`value` on boundary `{}`, where the condition fixes everything", raw.name.get_ref());
         return refuse(v.span(), message, "leave `value` out, or choose `fixed` or `traction`");

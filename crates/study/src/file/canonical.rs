@@ -4,7 +4,7 @@
 //! with the fewest digits that read back the same.
 
 use super::layer::Layer;
-use super::raw::{RawBoundary, RawExact, RawField};
+use super::raw::{RawBoundary, RawExact, RawField, RawPoint};
 use crate::claim::Claim;
 use crate::study::{Block, Case};
 use signorini_contact::{Material, Point};
@@ -67,7 +67,9 @@ fn solution(raw: &RawExact) -> String {
     let text = |f: &Option<RawField>| f.as_ref().map_or("-".into(), field);
     let name = raw.builtin.as_ref().map_or("-", |n| n.get_ref().as_str());
     let (first, second) = (text(&raw.first), text(&raw.second));
-    format!("{name} {first} {second} {:?} {:?} {:?}", raw.singular, raw.breaks, raw.switches)
+    let list = |points: &[RawPoint]| points.iter().map(|p| format!("({:?}, {:?})", p[0].0, p[1].0)).collect::<String>();
+    let breaks: String = raw.breaks.iter().map(|s| list(&s.0)).collect();
+    format!("{name} {first} {second} [{}] [{breaks}] [{}]", list(&raw.singular), list(&raw.switches))
 }
 
 fn field(raw: &RawField) -> String {

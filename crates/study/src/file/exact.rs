@@ -2,6 +2,7 @@
 
 use super::error::{Fault, refuse};
 use super::field::{INSIDE, expression_fault};
+use super::fixed::Fixed;
 use super::raw::{RawExact, RawField, RawLame};
 use super::shape::point;
 use super::words::suggestion;
@@ -44,12 +45,12 @@ pub fn exact(
     Ok(ExactScene { solution, materials })
 }
 
-fn planted(raw: &Spanned<[RawLame; 2]>) -> Result<[Material; 2], Fault> {
+fn planted(raw: &Spanned<Fixed<RawLame, 2>>) -> Result<[Material; 2], Fault> {
     let law = |l: &RawLame| {
         Material::lame(l.lame[0].0, l.lame[1].0)
             .map_err(|e| Fault::new(raw.span(), e.to_string(), "choose μ > 0 and λ + μ > 0"))
     };
-    let [first, second] = raw.get_ref();
+    let [first, second] = &raw.get_ref().0;
     Ok([law(first)?, law(second)?])
 }
 
@@ -64,7 +65,7 @@ fn expressions(
         expression_fault(culprit, &e.source, &INSIDE, parameters)
     })?;
     solution.singular_points = raw.singular.iter().map(point).collect();
-    solution.break_lines = raw.breaks.iter().map(|[a, b]| Segment { a: point(a), b: point(b) }).collect();
+    solution.break_lines = raw.breaks.iter().map(|s| Segment { a: point(&s[0]), b: point(&s[1]) }).collect();
     solution.switch_points = raw.switches.iter().map(point).collect();
     Ok(solution)
 }

@@ -1,6 +1,7 @@
 //! Elastic constants of a study file.
 
 use super::error::{Fault, refuse};
+use super::fixed::Fixed;
 use super::raw::{PlaneName, RawMaterial, RawOrthotropic};
 use signorini_contact::Material;
 use signorini_contact::material::Plane;
@@ -23,12 +24,12 @@ pub fn material(raw: &Spanned<RawMaterial>) -> Result<Material, Fault> {
         return refuse(m.plane.as_ref().map_or(span, Spanned::span), message, "leave `plane` out");
     }
     let plane = m.plane.as_ref().map_or(Plane::Strain, |p| plane(*p.get_ref()));
-    if let Some([lambda, mu]) = m.lame {
+    if let Some(Fixed([lambda, mu])) = m.lame {
         return checked(Material::lame(lambda.0, mu.0), raw, "choose μ > 0 and λ + μ > 0");
     }
     if let Some(c) = m.matrix {
         return checked(
-            Material::general(c.map(|r| r.map(|x| x.0))),
+            Material::general(c.0.map(|r| r.0.map(|x| x.0))),
             raw,
             "give a symmetric, positive definite matrix",
         );
@@ -55,7 +56,7 @@ fn checked(
 }
 
 fn orthotropic(o: &RawOrthotropic, plane: Plane) -> Result<Material, signorini_contact::Error> {
-    Material::orthotropic(o.moduli.map(|x| x.0), o.ratios.map(|x| x.0), o.shear.0, plane)
+    Material::orthotropic(o.moduli.0.map(|x| x.0), o.ratios.0.map(|x| x.0), o.shear.0, plane)
 }
 
 fn isotropic(raw: &Spanned<RawMaterial>, plane: Plane) -> Result<Material, Fault> {

@@ -11,6 +11,7 @@ mod canonical;
 mod error;
 mod exact;
 mod field;
+mod fixed;
 mod judge;
 mod layer;
 pub mod library;

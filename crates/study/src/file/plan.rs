@@ -2,7 +2,7 @@
 
 use super::error::{Fault, refuse};
 use super::raw::{FamilyName, RawFamily, RawLevels, RawReference, RawSolver, ReferenceName, SolverName};
-use crate::family::Family;
+use crate::family::{Family, refinements};
 use crate::study::ReferencePlan;
 use signorini_contact::solver::{Method, Settings};
 use std::ops::Range;
@@ -60,8 +60,8 @@ pub fn reference(
         ReferenceName::Exact if !has_exact => {
             refuse(span, "reference `exact`, but the scene has no exact solution", "add [exact], or choose `overkill`")
         }
-        ReferenceName::Overkill if matches!(family, Family::Perturbed { .. }) => {
-            let message = "an overkill reference needs a nested family, and `perturbed` is none";
+        ReferenceName::Overkill if !family.is_nested() => {
+            let message = format!("an overkill reference needs a nested family, and `{}` is none", family.name());
             refuse(span, message, "choose `refined`, or the exact reference")
         }
         ReferenceName::Exact => Ok(ReferencePlan::Exact),
@@ -85,6 +85,7 @@ fn in_range(n: usize, span: Range<usize>) -> Result<usize, Fault> {
 /// The levels of the quick and the full profile. Only a control may repeat a mesh.
 pub fn levels(
     raw: Option<&RawLevels>,
+    family: &Family,
     reference: &ReferencePlan,
     control: bool,
     place: Range<usize>,
@@ -97,6 +98,10 @@ pub fn levels(
     let place = |list: Option<&Spanned<Vec<usize>>>| list.map_or(place.clone(), Spanned::span);
     let (quick_place, full_place) = (place(quick), place(full));
     let lists = [profile(quick, last[0], control)?, profile(full, last[1], control)?];
+    if matches!(family, Family::Refined { .. }) {
+        halved(&lists[0], quick_place.clone())?;
+        halved(&lists[1], full_place.clone())?;
+    }
     if let Some([end_quick, end_full]) = ends {
         nested(&lists[0], end_quick, quick_place)?;
         nested(&lists[1], end_full, full_place)?;
@@ -125,9 +130,19 @@ fn doubling(last: usize) -> Vec<usize> {
     std::iter::successors(Some(8), |n| Some(2 * n)).take_while(|n| *n <= last).collect()
 }
 
+/// A refined family comes from its coarsest mesh by halving alone.
+fn halved(levels: &[usize], span: Range<usize>) -> Result<(), Fault> {
+    match levels.iter().find(|n| refinements(levels[0], **n).is_none()) {
+        None => Ok(()),
+        Some(n) => {
+            let message = format!("a refined family of {} cells never has {n}", levels[0]);
+            refuse(span, message, "let every level be the first one times a power of two")
+        }
+    }
+}
+
 fn nested(levels: &[usize], reference: usize, span: Range<usize>) -> Result<(), Fault> {
-    // Red refinement halves: the reference has 2^k times the cells of a level, k ≥ 1.
-    let refines = |n: usize| reference > n && reference.is_multiple_of(n) && (reference / n).is_power_of_two();
+    let refines = |n: usize| refinements(n, reference).is_some_and(|steps| steps > 0);
     match levels.iter().find(|n| !refines(**n)) {
         None => Ok(()),
         Some(n) => {

@@ -2,6 +2,7 @@
 //!
 //! No `flatten` and no `untagged`: both lose line and column and let misspelt keys pass.
 
+use super::fixed::Fixed;
 use super::number::{Finite, OrNone};
 use crate::record::ClaimKind;
 use serde::Deserialize;
@@ -9,9 +10,9 @@ use std::collections::BTreeMap;
 use toml::Spanned;
 
 /// Two coordinates.
-pub type RawPoint = [Finite; 2];
+pub type RawPoint = Fixed<Finite, 2>;
 /// Two components, each an expression.
-pub type RawField = [Spanned<String>; 2];
+pub type RawField = Fixed<Spanned<String>, 2>;
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -86,8 +87,8 @@ pub struct RawClaim {
 pub struct RawBody {
     pub name: Spanned<String>,
     pub material: Spanned<RawMaterial>,
-    pub rectangle: Option<Spanned<[RawPoint; 2]>>,
-    pub divisions: Option<Spanned<[usize; 2]>>,
+    pub rectangle: Option<Spanned<Fixed<RawPoint, 2>>>,
+    pub divisions: Option<Spanned<Fixed<usize, 2>>>,
     pub blocks: Option<Spanned<Vec<RawBlock>>>,
     pub force: Option<RawField>,
 }
@@ -95,26 +96,26 @@ pub struct RawBody {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct RawBlock {
-    pub corners: Spanned<[RawPoint; 4]>,
-    pub divisions: Option<Spanned<[usize; 2]>>,
+    pub corners: Spanned<Fixed<RawPoint, 4>>,
+    pub divisions: Option<Spanned<Fixed<usize, 2>>>,
 }
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct RawMaterial {
-    pub lame: Option<[Finite; 2]>,
+    pub lame: Option<Fixed<Finite, 2>>,
     pub young: Option<Spanned<Finite>>,
     pub poisson: Option<Spanned<Finite>>,
     pub plane: Option<Spanned<PlaneName>>,
     pub orthotropic: Option<RawOrthotropic>,
-    pub matrix: Option<[[Finite; 3]; 3]>,
+    pub matrix: Option<Fixed<Fixed<Finite, 3>, 3>>,
 }
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct RawOrthotropic {
-    pub moduli: [Finite; 3],
-    pub ratios: [Finite; 3],
+    pub moduli: Fixed<Finite, 3>,
+    pub ratios: Fixed<Finite, 3>,
     pub shear: Finite,
 }
 
@@ -159,16 +160,16 @@ pub struct RawExact {
     #[serde(default)]
     pub singular: Vec<RawPoint>,
     #[serde(default)]
-    pub breaks: Vec<[RawPoint; 2]>,
+    pub breaks: Vec<Fixed<RawPoint, 2>>,
     #[serde(default)]
     pub switches: Vec<RawPoint>,
-    pub materials: Option<Spanned<[RawLame; 2]>>,
+    pub materials: Option<Spanned<Fixed<RawLame, 2>>>,
 }
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct RawLame {
-    pub lame: [Finite; 2],
+    pub lame: Fixed<Finite, 2>,
 }
 
 #[derive(Deserialize)]

@@ -62,7 +62,7 @@ fn case(name: &Spanned<String>, layer: Layer<'_>, claim: &Claim) -> Result<Case,
     let scene = scene(&layer, &place, control)?;
     let family = plan::family(layer.family)?;
     let reference = plan::reference(layer.reference, scene.exact.is_some(), &family, place.clone())?;
-    let [quick, full] = plan::levels(layer.levels, &reference, control, place)?;
+    let [quick, full] = plan::levels(layer.levels, &family, &reference, control, place)?;
     let (gates, fixed_quadrature) = judge::gates(layer.gates, control)?;
     let (bounds, expected_is_asymptotic) = judge::bounds(&claim.bounds, layer.expected)?;
     let mut case = Case {

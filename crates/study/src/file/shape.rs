@@ -1,6 +1,7 @@
 //! Bodies of a study file: quadrilateral blocks.
 
 use super::error::{Fault, refuse};
+use super::fixed::Fixed;
 use super::raw::{RawBlock, RawBody, RawPoint};
 use crate::study::{Block, Shape};
 use signorini_contact::Point;
@@ -33,7 +34,10 @@ pub fn shape(raw: &Spanned<RawBody>) -> Result<Shape, Fault> {
     Ok(Shape { name: body.name.get_ref().clone(), blocks })
 }
 
-fn rectangle_block(raw: &Spanned<[RawPoint; 2]>, split: Option<&Spanned<[usize; 2]>>) -> Result<Block, Fault> {
+fn rectangle_block(
+    raw: &Spanned<Fixed<RawPoint, 2>>,
+    split: Option<&Spanned<Fixed<usize, 2>>>,
+) -> Result<Block, Fault> {
     let [a, b] = raw.get_ref().each_ref().map(point);
     if !(a.x < b.x && a.y < b.y) {
         let message = format!("rectangle ({}, {}) – ({}, {}) has no area", a.x, a.y, b.x, b.y);
@@ -63,9 +67,9 @@ fn block(raw: &RawBlock) -> Result<Block, Fault> {
     Ok(Block { corners, divisions: divisions(raw.divisions.as_ref())? })
 }
 
-fn divisions(raw: Option<&Spanned<[usize; 2]>>) -> Result<[usize; 2], Fault> {
+fn divisions(raw: Option<&Spanned<Fixed<usize, 2>>>) -> Result<[usize; 2], Fault> {
     let Some(raw) = raw else { return Ok([1, 1]) };
-    let d = *raw.get_ref();
+    let d = raw.get_ref().0;
     if d.iter().any(|n| !(1..=1024).contains(n)) {
         return refuse(raw.span(), format!("divisions {d:?} must lie between 1 and 1024"), "divide by whole numbers");
     }
