@@ -16,6 +16,7 @@ pub(crate) fn level(k: usize, error: f64) -> Level {
     let n = 8 << k;
     Level {
         level: k,
+        cells: n,
         h: 0.125 * 0.5_f64.powi(k as i32),
         min_angle: 45.0,
         side_ratio: 2.0_f64.sqrt(),
@@ -44,6 +45,7 @@ pub(crate) fn level(k: usize, error: f64) -> Level {
             iterations: 4,
             factorizations: 1,
         },
+        warnings: Vec::new(),
         excluded: None,
         solution_energy: Some(1.0),
         solution_trace: Some(1.0),

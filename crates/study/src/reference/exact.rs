@@ -13,7 +13,7 @@ use crate::exact::derived;
 use crate::study::{ExactScene, PartCondition, Scene, VectorField};
 use rayon::prelude::*;
 use signorini_contact::element::{displacement_gradient, gradients, hats};
-use signorini_contact::geometry::{right_normal, twice_area};
+use signorini_contact::geometry::right_normal;
 use signorini_contact::material::{Material, contract, strain};
 use signorini_contact::mesh::Mesh;
 use signorini_contact::norm::Squares;
@@ -44,6 +44,9 @@ const ACCURACY: f64 = 2.5e-7;
 
 /// Share of the interpolation error, in the energy norm, that the loads may change by under one more refinement.
 const LOAD_ACCURACY: f64 = 1e-4;
+
+/// Every piece may err by this share of the accuracy, or by its element's even share if that is less.
+const SMALLEST_SHARE: f64 = 1e-4;
 
 /// A piece of an element is not split more often than this.
 const DEEPEST: u32 = 6;
@@ -80,9 +83,10 @@ impl Pair {
         let cubature = scene.cubature(0, fixed);
         let element = |t: usize| ElementIntegrand::new(scene, exact, mesh, interpolant, t);
         let rough = |t: usize| element(t).once(&cubature).interpolation.energy;
-        let mean = ordered_sum(mesh.triangles.len(), rough) / mesh.triangles.len() as f64;
+        let total = ordered_sum(mesh.triangles.len(), rough);
+        let share = total * f64::min(SMALLEST_SHARE, 1.0 / mesh.triangles.len() as f64);
         let deepest = if fixed { 0 } else { DEEPEST };
-        let pair = |t: usize| element(t).adaptively(&cubature, mean, deepest);
+        let pair = |t: usize| element(t).adaptively(&cubature, share, deepest);
         let pairs: Vec<[Element; 2]> = (0..mesh.triangles.len()).into_par_iter().with_min_len(16).map(pair).collect();
         let collect = |k: usize| {
             let elements = pairs.iter().map(|pair| pair[k]).collect();
@@ -201,10 +205,10 @@ impl<'a> ElementIntegrand<'a> {
         sums
     }
 
-    /// By the rule on pieces and on their quarters; pieces where the two differ too much are split.
-    fn adaptively(&self, cubature: &Cubature, mean: f64, deepest: u32) -> [Element; 2] {
+    /// By the rule on pieces and on their quarters; pieces where the two differ too much are split. `share` of the
+    /// interpolation error is allowed to each piece, and a quarter of it to each of its quarters.
+    fn adaptively(&self, cubature: &Cubature, share: f64, deepest: u32) -> [Element; 2] {
         let mut pair = [Element::default(); 2];
-        let share = mean / triangle_area(self.corners);
         cubature.pieces(self.corners, &mut |piece| {
             let mut coarse = Element::default();
             self.add_piece(piece, &mut coarse);
@@ -222,8 +226,8 @@ impl<'a> ElementIntegrand<'a> {
         });
         let mut fine = Element::default();
         parts.iter().for_each(|p| fine += *p);
-        if deepest > 0 && self.is_rough(coarse, &fine, share * triangle_area(piece)) {
-            quarters.iter().zip(&parts).for_each(|(q, p)| self.split(*q, p, share, deepest - 1, pair));
+        if deepest > 0 && self.is_rough(coarse, &fine, share) {
+            quarters.iter().zip(&parts).for_each(|(q, p)| self.split(*q, p, 0.25 * share, deepest - 1, pair));
         } else {
             pair[0] += *coarse;
             pair[1] += fine;
@@ -263,10 +267,6 @@ impl<'a> ElementIntegrand<'a> {
 
 fn add_scaled(sum: &mut [[f64; 2]; 2], factor: f64, by: &[[f64; 2]; 2]) {
     sum.iter_mut().flatten().zip(by.iter().flatten()).for_each(|(s, b)| *s += factor * b);
-}
-
-fn triangle_area([a, b, c]: [Vec2; 3]) -> f64 {
-    0.5 * twice_area(a, b, c).abs()
 }
 
 impl AddAssign for Element {
