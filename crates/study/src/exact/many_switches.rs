@@ -42,9 +42,12 @@ impl Field for ManySwitches {
         u.map(|c| c * scale)
     }
 
+    /// The edges of the strip `|y| < 1/N` too, where third derivatives jump: they spare quadrature long slivers.
     fn break_lines(&self) -> Vec<Segment> {
         let n = self.cells;
-        self.numbers().flat_map(|j| [j / n, (j + SIGMA) / n]).skip(1).map(|x| vertical(x, 1.0 / n)).collect()
+        let edge = |y: f64| Segment { a: Point::new(0.0, y), b: Point::new(1.0, y) };
+        let within = self.numbers().flat_map(|j| [j / n, (j + SIGMA) / n]).skip(1).map(|x| vertical(x, 1.0 / n));
+        [edge(1.0 / n), edge(-1.0 / n)].into_iter().chain(within).collect()
     }
 
     fn switch_points(&self) -> Vec<Point> {

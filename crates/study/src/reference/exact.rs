@@ -17,7 +17,7 @@ use signorini_contact::geometry::right_normal;
 use signorini_contact::material::{Material, contract, strain};
 use signorini_contact::mesh::Mesh;
 use signorini_contact::norm::Squares;
-use signorini_contact::quadrature::{Cubature, quarter, seven_points};
+use signorini_contact::quadrature::{Cubature, conical_points, quarter, seven_points};
 use signorini_contact::sum::ordered_sum;
 use signorini_contact::{Body, Vec2, zone::Zone};
 use std::ops::AddAssign;
@@ -201,33 +201,35 @@ impl<'a> ElementIntegrand<'a> {
     /// The rule on every piece, without splitting.
     fn once(&self, cubature: &Cubature) -> Element {
         let mut sums = Element::default();
-        cubature.pieces(self.corners, &mut |piece| self.add_piece(piece, &mut sums));
+        cubature.pieces(self.corners, &mut |piece| sums += self.over(piece, Rule::Ordinary));
         sums
     }
 
-    /// By the rule on pieces and on their quarters; pieces where the two differ too much are split. `share` of the
-    /// interpolation error is allowed to each piece, and a quarter of it to each of its quarters.
+    /// By a rule on pieces and on their quarters. Where the two differ too much, a rule of higher degree takes over, and
+    /// pieces are split until it settles. `share` of the interpolation error is allowed to each piece, and a quarter of it
+    /// to each of its quarters.
     fn adaptively(&self, cubature: &Cubature, share: f64, deepest: u32) -> [Element; 2] {
         let mut pair = [Element::default(); 2];
         cubature.pieces(self.corners, &mut |piece| {
-            let mut coarse = Element::default();
-            self.add_piece(piece, &mut coarse);
-            self.split(piece, &coarse, share, deepest, &mut pair);
+            let coarse = self.over(piece, Rule::Ordinary);
+            let fine = self.over_quarters(piece, Rule::Ordinary);
+            if deepest > 0 && self.is_rough(&coarse, &sum(&fine), share) {
+                self.split(piece, &self.over(piece, Rule::Rich), share, deepest, &mut pair);
+            } else {
+                pair[0] += coarse;
+                pair[1] += sum(&fine);
+            }
         });
         pair
     }
 
     fn split(&self, piece: [Vec2; 3], coarse: &Element, share: f64, deepest: u32, pair: &mut [Element; 2]) {
-        let quarters = quarter(piece);
-        let parts = quarters.map(|q| {
-            let mut sums = Element::default();
-            self.add_piece(q, &mut sums);
-            sums
-        });
-        let mut fine = Element::default();
-        parts.iter().for_each(|p| fine += *p);
+        let parts = self.over_quarters(piece, Rule::Rich);
+        let fine = sum(&parts);
         if deepest > 0 && self.is_rough(coarse, &fine, share) {
-            quarters.iter().zip(&parts).for_each(|(q, p)| self.split(*q, p, 0.25 * share, deepest - 1, pair));
+            for (quarter, part) in quarter(piece).into_iter().zip(&parts) {
+                self.split(quarter, part, 0.25 * share, deepest - 1, pair);
+            }
         } else {
             pair[0] += *coarse;
             pair[1] += fine;
@@ -242,8 +244,17 @@ impl<'a> ElementIntegrand<'a> {
         change > ACCURACY * whole || load / self.material.matrix()[0][0] > LOAD_ACCURACY * LOAD_ACCURACY * whole
     }
 
-    fn add_piece(&self, piece: [Vec2; 3], sums: &mut Element) {
-        seven_points(piece, &mut |x, weight| self.add_point(x, weight, sums));
+    fn over_quarters(&self, piece: [Vec2; 3], rule: Rule) -> [Element; 4] {
+        quarter(piece).map(|q| self.over(q, rule))
+    }
+
+    fn over(&self, piece: [Vec2; 3], rule: Rule) -> Element {
+        let mut sums = Element::default();
+        match rule {
+            Rule::Ordinary => seven_points(piece, &mut |x, w| self.add_point(x, w, &mut sums)),
+            Rule::Rich => conical_points(piece, &mut |x, w| self.add_point(x, w, &mut sums)),
+        }
+        sums
     }
 
     fn add_point(&self, x: Vec2, weight: f64, sums: &mut Element) {
@@ -263,6 +274,19 @@ impl<'a> ElementIntegrand<'a> {
         sums.interpolation.add(self.body, self.material, weight, w, grad_w);
         sums.solution.add(self.body, self.material, weight, jet.value, jet.gradient);
     }
+}
+
+/// Degree 5 where the integrand is smooth on the piece's scale, degree 10 where it is not.
+#[derive(Clone, Copy)]
+enum Rule {
+    Ordinary,
+    Rich,
+}
+
+fn sum(parts: &[Element; 4]) -> Element {
+    let mut sum = Element::default();
+    parts.iter().for_each(|p| sum += *p);
+    sum
 }
 
 fn add_scaled(sum: &mut [[f64; 2]; 2], factor: f64, by: &[[f64; 2]; 2]) {
