@@ -45,6 +45,11 @@ pub fn exact(
     Ok(ExactScene { solution, materials })
 }
 
+/// Whether a case takes the study's exact solution back: `builtin = "none"`.
+pub fn is_none(raw: &RawExact) -> bool {
+    raw.builtin.as_ref().is_some_and(|name| name.get_ref() == "none")
+}
+
 fn planted(raw: &Spanned<Fixed<RawLame, 2>>) -> Result<[Material; 2], Fault> {
     let law = |l: &RawLame| {
         Material::lame(l.lame[0].0, l.lame[1].0)

@@ -125,7 +125,11 @@ fn scene(layer: &Layer<'_>, place: &Range<usize>, control: bool) -> Result<Scene
         parts: boundary::parts(layer.boundary.unwrap_or_default(), &bodies, p)?,
         contact: boundary::contact(contact, &bodies)?,
         body_force: [force(a)?, force(b)?],
-        exact: layer.exact.map(|e| exact::exact(e, &materials, p, control)).transpose()?,
+        exact: layer
+            .exact
+            .filter(|e| !exact::is_none(e.get_ref()))
+            .map(|e| exact::exact(e, &materials, p, control))
+            .transpose()?,
         bodies,
         materials,
     })

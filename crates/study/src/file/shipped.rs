@@ -29,6 +29,7 @@ shipped! {
     Controls "controls/":
         "fixed-quadrature"
         "loose-solver"
+        "roaming-switch"
         "same-mesh-twice"
         "too-few-levels"
         "wrong-mu"
