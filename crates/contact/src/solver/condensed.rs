@@ -20,31 +20,57 @@ const WORTHWHILE: f64 = 0.25;
 /// Multipliers below this multiple of `‖K‖_∞‖x‖_∞ + ‖f‖_∞` are rounding.
 const ROUNDING: f64 = 1e-15;
 
-/// Solves the problem by condensation on the bounded components.
-pub fn solve(qp: &BoundQp, settings: &Settings) -> QpSolution {
-    let mut answer = QpSolution::unsolved(qp, Status::NotPositiveDefinite);
-    let Some(held) = anchors(&qp.kernel) else {
-        return answer;
-    };
-    answer.factorizations = 1;
-    let Ok(condensation) = Condensation::new(qp, &held) else {
-        return answer;
-    };
-    let matrix = condensation.schur_complement();
-    let dense = DenseQp {
-        load: condensation.reduced_load(&matrix, &qp.load),
-        upper: qp.bounds.iter().map(|b| b.upper).collect(),
-        matrix,
-    };
-    let (status, solution) = solve_dense(&dense, settings, &mut answer.history);
-    answer.iterations = answer.history.len();
-    if let Some(solution) = solution {
-        let expansion = Expansion { qp, condensation, dense, solution, held };
-        answer.x = expansion.refined();
-        answer.status = status;
-        finish(qp, &expansion.solution.active, &mut answer);
+/// The problem condensed on its bounded components: factored, not yet solved.
+pub struct Condensed<'a> {
+    qp: &'a BoundQp,
+    /// Nothing where the matrix is not positive definite on the free components.
+    parts: Option<Parts>,
+}
+
+struct Parts {
+    condensation: Condensation,
+    dense: DenseQp,
+    /// Unknowns held at zero in place of the kernel.
+    held: Vec<usize>,
+}
+
+impl<'a> Condensed<'a> {
+    /// Factors and condenses.
+    pub fn new(qp: &'a BoundQp) -> Self {
+        Self { qp, parts: Parts::new(qp) }
     }
-    answer
+
+    /// Active set, back-substitution, refinement.
+    pub fn solve(self, settings: &Settings) -> QpSolution {
+        let mut answer = QpSolution::unsolved(self.qp, Status::NotPositiveDefinite);
+        answer.factorizations = 1;
+        let Some(Parts { condensation, dense, held }) = self.parts else {
+            return answer;
+        };
+        let (status, solution) = solve_dense(&dense, settings, &mut answer.history);
+        answer.iterations = answer.history.len();
+        if let Some(solution) = solution {
+            let expansion = Expansion { qp: self.qp, condensation, dense, solution, held };
+            answer.x = expansion.refined();
+            answer.status = status;
+            finish(self.qp, &expansion.solution.active, &mut answer);
+        }
+        answer
+    }
+}
+
+impl Parts {
+    fn new(qp: &BoundQp) -> Option<Self> {
+        let held = anchors(&qp.kernel)?;
+        let condensation = Condensation::new(qp, &held).ok()?;
+        let matrix = condensation.schur_complement();
+        let dense = DenseQp {
+            load: condensation.reduced_load(&matrix, &qp.load),
+            upper: qp.bounds.iter().map(|b| b.upper).collect(),
+            matrix,
+        };
+        Some(Self { condensation, dense, held })
+    }
 }
 
 /// Restores `p(x) = 0` and recomputes the multipliers of the active bounds from the unreduced system: `λ_c = (f − Kx)_c`

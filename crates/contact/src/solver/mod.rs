@@ -24,19 +24,34 @@ mod tests;
 use crate::qp::BoundQp;
 
 /// Solves the problem with the method that the settings name.
-///
-/// The time and memory of [`Method::Condensed`] are those of one sparse Cholesky factorisation, plus `16 m²` bytes and
-/// some dense factorisations for `m` bounds. An answer with an entry that is not finite never counts as solved.
 pub fn solve(qp: &BoundQp, settings: &Settings) -> QpSolution {
-    let mut answer = match settings.method {
-        Method::Condensed => condensed::solve(qp, settings),
-        Method::InteriorPoint => interior_point::solve(qp, settings),
-    };
-    let mut entries = answer.x.iter().chain(&answer.multipliers);
-    if answer.status.is_solved() && !entries.all(|v| v.is_finite()) {
-        answer.status = Status::IterationLimit { steps: answer.iterations };
+    Prepared::new(qp, settings.method).solve(settings)
+}
+
+/// A problem after the work that does not depend on which bounds are active, so that set-up and solve can be told apart.
+pub struct Prepared<'a>(Preparation<'a>);
+
+enum Preparation<'a> {
+    Condensed(condensed::Condensed<'a>),
+    InteriorPoint(&'a BoundQp),
+}
+
+impl<'a> Prepared<'a> {
+    /// `condensed`: the sparse factorisation and the Schur complement. `interior-point` has nothing to prepare.
+    pub fn new(qp: &'a BoundQp, method: Method) -> Self {
+        Self(match method {
+            Method::Condensed => Preparation::Condensed(condensed::Condensed::new(qp)),
+            Method::InteriorPoint => Preparation::InteriorPoint(qp),
+        })
     }
-    answer
+
+    /// Solves; [`Settings::method`] is the one that was prepared.
+    pub fn solve(self, settings: &Settings) -> QpSolution {
+        match self.0 {
+            Preparation::Condensed(condensed) => condensed.solve(settings),
+            Preparation::InteriorPoint(qp) => interior_point::solve(qp, settings),
+        }
+    }
 }
 
 /// Which algorithm solves the problem.

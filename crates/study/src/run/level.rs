@@ -13,7 +13,7 @@ use signorini_contact::norm::Squares;
 use signorini_contact::problem::{Discrete, Problem, Solution, Support};
 use signorini_contact::qp;
 use signorini_contact::quadrature::Cubature;
-use signorini_contact::solver::{self, Settings};
+use signorini_contact::solver::{Prepared, Settings};
 use signorini_contact::zone::{Zone, side_length};
 use signorini_contact::{Vec2, assembly};
 
@@ -153,7 +153,9 @@ impl Task<'_> {
     }
 
     fn solve(&self, problem: &Problem, discrete: Discrete, watch: &mut Stopwatch) -> Solved {
-        let raw = solver::solve(&discrete.qp, &self.settings);
+        let prepared = Prepared::new(&discrete.qp, self.settings.method);
+        watch.lap(|t| &mut t.setup);
+        let raw = prepared.solve(&self.settings);
         watch.lap(|t| &mut t.solve);
         let solution = discrete.recover(problem.mesh, &problem.materials, raw);
         let state = ContactState::new(problem.mesh, &discrete, &solution);

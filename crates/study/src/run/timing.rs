@@ -10,7 +10,9 @@ pub struct LevelTimes {
     pub mesh: f64,
     /// Loads (with the quadrature of the exact solution, if there is one) and stiffness.
     pub assembly: f64,
-    /// Factorisation and active set; they are one call.
+    /// Factorisation and condensation; nothing for methods that have no such phase.
+    pub setup: f64,
+    /// Active set or interior point, back-substitution, refinement.
     pub solve: f64,
     /// Errors, ledger, certificates.
     pub error: f64,
