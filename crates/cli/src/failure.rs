@@ -46,6 +46,12 @@ impl From<StudyError> for Failure {
     }
 }
 
+impl From<(String, RunError)> for Failure {
+    fn from((case, error): (String, RunError)) -> Self {
+        Self::of_run(&case, &error)
+    }
+}
+
 impl From<LibraryError> for Failure {
     fn from(e: LibraryError) -> Self {
         Self::new(e.to_string(), "`signorini list` shows every study; `signorini --help` every command")

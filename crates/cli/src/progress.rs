@@ -1,6 +1,7 @@
 //! Progress: a bar with the time left on a terminal, plain lines elsewhere.
 
 use indicatif::{ProgressBar, ProgressStyle};
+use signorini_study::record::StudyRecord;
 use signorini_study::run::Watch;
 use std::io::IsTerminal;
 
@@ -18,10 +19,10 @@ impl Progress {
         Self { bar, lines: !terminal && !quiet }
     }
 
-    /// A study is done.
-    pub fn study_done(&self, study: &str, outcome: &str) {
+    /// A case is done and written.
+    pub fn case_done(&self, record: &StudyRecord) {
         if self.lines {
-            eprintln!("{study}: {outcome}");
+            eprintln!("{}: {:?}", name(&record.study, &record.case), record.verdict.outcome);
         }
     }
 
@@ -29,6 +30,11 @@ impl Progress {
     pub fn finish(&self) {
         self.bar.iter().for_each(ProgressBar::finish_and_clear);
     }
+}
+
+/// `study`, or `study/case` where a study has several.
+fn name(study: &str, case: &str) -> String {
+    if study == case { study.to_owned() } else { format!("{study}/{case}") }
 }
 
 fn style() -> ProgressStyle {
@@ -40,7 +46,7 @@ impl Watch for Progress {
     fn level_done(&self, study: &str, case: &str, _level: usize) {
         if let Some(bar) = &self.bar {
             bar.inc(1);
-            bar.set_message(if study == case { study.to_owned() } else { format!("{study}/{case}") });
+            bar.set_message(name(study, case));
         }
     }
 }

@@ -3,7 +3,6 @@
 use crate::args::{ProfileArg, RunArgs, SolverArg};
 use crate::failure::Failure;
 use crate::progress::Progress;
-use rayon::prelude::*;
 use serde::Serialize;
 use signorini_report::summary_text;
 use signorini_study::file::{Library, find_studies};
@@ -54,17 +53,23 @@ pub fn execute(args: &RunArgs, studies: &[Study]) -> Result<(Vec<Vec<CaseRun>>, 
     }
     let settings = settings(args);
     let progress = Progress::new(studies.iter().map(|s| run::work(s, &settings)).sum(), args.quiet);
-    let one = |study: &Study| run_and_write(study, &settings, &args.out, &progress);
-    let results: Vec<_> = studies.par_iter().with_max_len(1).map(one).collect();
+    let runs = run::run_all(studies, &settings, &progress, |_, run| write_case(run, &args.out, &progress));
     progress.finish();
-    let mut runs = Vec::new();
+    let mut all = Vec::new();
     let mut drifted = Vec::new();
-    for result in results {
-        let (run, drift) = result?;
-        runs.push(run);
-        drifted.extend(drift);
+    for (study, cases) in studies.iter().zip(runs?) {
+        let (runs, drift): (Vec<CaseRun>, Vec<Vec<String>>) = cases.into_iter().unzip();
+        write_timings(study, &runs, &args.out)?;
+        all.push(runs);
+        drifted.extend(drift.into_iter().flatten());
     }
-    Ok((runs, drifted))
+    remove_if_empty(&args.out.join(".partial"));
+    Ok((all, drifted))
+}
+
+/// Takes the folder of unfinished cases away where nothing is left in it; a folder with something in it stays.
+fn remove_if_empty(folder: &Path) {
+    let _ = std::fs::remove_dir(folder);
 }
 
 fn settings(args: &RunArgs) -> RunSettings {
@@ -87,34 +92,25 @@ pub fn profile(arg: ProfileArg) -> Profile {
     }
 }
 
-type StudyRun = (Vec<CaseRun>, Vec<String>);
-
-fn run_and_write(study: &Study, settings: &RunSettings, out: &Path, progress: &Progress) -> Result<StudyRun, Failure> {
-    let mut runs = run::run_study(study, settings, progress).map_err(|e| Failure::of_run(&study.id, &e))?;
-    let drift = drift(&mut runs)?;
-    for run in &runs {
-        store::write_record(out, &run.record)?;
-        signorini_report::render(&run.record, &store::record_folder(out, &run.record)?)?;
-    }
-    write_timings(study, &runs, out)?;
-    let outcomes = runs.iter().map(|r| verdict::effective(r.record.verdict.outcome, r.record.expect));
-    progress.study_done(&study.id, &format!("{:?}", verdict::worst(outcomes)).to_lowercase());
-    Ok((runs, drift))
+/// Writes the record, tables and plots of a case, with what drifted from its baseline.
+fn write_case(mut run: CaseRun, out: &Path, progress: &Progress) -> Result<(CaseRun, Vec<String>), Failure> {
+    let drift = drift(&mut run)?;
+    store::write_record(out, &run.record)?;
+    signorini_report::render(&run.record, &store::record_folder(out, &run.record)?)?;
+    run.is_written();
+    progress.case_done(&run.record);
+    Ok((run, drift))
 }
 
-/// Compares with the stored baseline of the study, and notes the differences in the records.
-fn drift(runs: &mut [CaseRun]) -> Result<Vec<String>, Failure> {
-    let Some(study) = runs.first().map(|r| r.record.study.clone()) else { return Ok(Vec::new()) };
-    let Some(baseline) = reference_folder().map(|f| Baseline::read(&f, &study)).transpose()?.flatten() else {
+/// Compares with the stored baseline of the study, and notes the differences in the record.
+fn drift(run: &mut CaseRun) -> Result<Vec<String>, Failure> {
+    let record = &mut run.record;
+    let Some(baseline) = reference_folder().map(|f| Baseline::read(&f, &record.study)).transpose()?.flatten() else {
         return Ok(Vec::new());
     };
-    let mut all = Vec::new();
-    for run in runs {
-        let lines = store::drift(&baseline, &run.record);
-        run.record.notes.extend(lines.iter().map(|l| format!("drift from the baseline: {l}")));
-        all.extend(lines.into_iter().map(|l| format!("{study}/{}: {l}", run.record.case)));
-    }
-    Ok(all)
+    let lines = store::drift(&baseline, record);
+    record.notes.extend(lines.iter().map(|l| format!("drift from the baseline: {l}")));
+    Ok(lines.into_iter().map(|l| format!("{}/{}: {l}", record.study, record.case)).collect())
 }
 
 /// `reference/` in the current folder or the nearest parent that has one.

@@ -67,15 +67,41 @@ pub struct CaseRun {
     pub times: Vec<LevelTimes>,
     /// The reference solve.
     pub reference_times: Option<LevelTimes>,
+    kept: Partial,
 }
 
-/// Runs every case of a study.
+impl CaseRun {
+    /// The record is on disk: the levels kept for a resumption may go.
+    pub fn is_written(&self) {
+        self.kept.discard();
+    }
+}
+
+/// References larger than this, in cells per unit, are solved one at a time: two of them would not fit in memory.
+const LARGE_REFERENCE: usize = 512;
+
+/// Runs every case of the studies, large references one after the other and everything else side by side, and hands each
+/// case to `done` as soon as it is judged: the study's place, the case's place, the run. Results come in the order of the
+/// file.
 ///
 /// # Errors
-/// The first case, in file order, whose input is meaningless.
-pub fn run_study(study: &Study, settings: &RunSettings, watch: &dyn Watch) -> Result<Vec<CaseRun>, RunError> {
-    let runs: Vec<_> = study.cases.par_iter().map(|case| run_case(study, case, settings, watch)).collect();
-    runs.into_iter().collect()
+/// The first case, in that order, whose input is meaningless or whose `done` failed.
+pub fn run_all<T: Send, E: From<(String, RunError)> + Send>(
+    studies: &[Study],
+    settings: &RunSettings,
+    watch: &dyn Watch,
+    done: impl Fn(&Study, CaseRun) -> Result<T, E> + Sync,
+) -> Result<Vec<Vec<T>>, E> {
+    let all: Vec<(&Study, &Case)> = studies.iter().flat_map(|s| s.cases.iter().map(move |c| (s, c))).collect();
+    let one = |&(study, case): &(&Study, &Case)| {
+        let run = run_case(study, case, settings, watch);
+        run.map_err(|e| E::from((format!("{}/{}", study.id, case.name), e))).and_then(|run| done(study, run))
+    };
+    let is_large = |case: &Case| matches!(reference_cells(case, settings), Some(n) if n > LARGE_REFERENCE);
+    let large: Vec<Option<Result<T, E>>> = all.iter().map(|pair| is_large(pair.1).then(|| one(pair))).collect();
+    let rest = all.par_iter().with_max_len(1).zip(large).map(|(pair, known)| known.unwrap_or_else(|| one(pair)));
+    let mut results = rest.collect::<Vec<_>>().into_iter();
+    studies.iter().map(|s| results.by_ref().take(s.cases.len()).collect()).collect()
 }
 
 /// Runs one case.
@@ -101,15 +127,12 @@ pub fn run_case(study: &Study, case: &Case, settings: &RunSettings, watch: &dyn 
     let (levels, times): (Vec<Level>, Vec<LevelTimes>) = measured?.into_iter().unzip();
     let reference = reference::describe(case, overkill.as_ref().map(|(o, _)| o), &task);
     let record = conclude(study, case, settings, levels, reference);
-    partial.close();
-    Ok(CaseRun { record, times, reference_times: overkill.map(|(_, t)| t) })
+    Ok(CaseRun { record, times, reference_times: overkill.map(|(_, t)| t), kept: partial })
 }
 
 /// How many times [`Watch::level_done`] will be called for a study: its levels, and one for each reference.
 pub fn work(study: &Study, settings: &RunSettings) -> usize {
-    let of = |case: &Case| {
-        cells_of(case, settings).len() + usize::from(matches!(case.reference, ReferencePlan::Overkill { .. }))
-    };
+    let of = |case: &Case| cells_of(case, settings).len() + usize::from(reference_cells(case, settings).is_some());
     study.cases.iter().map(of).sum()
 }
 
@@ -143,9 +166,15 @@ fn verify_exact(case: &Case) -> Result<(), RunError> {
 }
 
 fn solve_reference(task: &Task, settings: &RunSettings) -> Result<Option<(Overkill, LevelTimes)>, RunError> {
-    let ReferencePlan::Overkill { quick, full } = task.case.reference else { return Ok(None) };
-    let cells = if settings.profile == Profile::Quick { quick } else { full };
-    task.overkill(cells).map(Some)
+    reference_cells(task.case, settings).map(|cells| task.overkill(cells)).transpose()
+}
+
+/// The mesh parameter of a case's overkill reference.
+fn reference_cells(case: &Case, settings: &RunSettings) -> Option<usize> {
+    match case.reference {
+        ReferencePlan::Overkill { quick, full } => Some(if settings.profile == Profile::Quick { quick } else { full }),
+        _ => None,
+    }
 }
 
 fn measure_level(task: &Task, overkill: Option<&Overkill>, index: usize) -> Result<(Level, LevelTimes), RunError> {

@@ -61,9 +61,9 @@ impl Partial {
         Ok((kept.level, kept.times))
     }
 
-    /// The case is done: its kept levels go.
-    pub fn close(self) {
-        if let Some(folder) = self.folder {
+    /// The case is done and written: its kept levels go.
+    pub fn discard(&self) {
+        if let Some(folder) = &self.folder {
             // A folder that cannot be removed costs space, not truth: its key no longer matters to a finished case.
             let _ = std::fs::remove_dir_all(folder);
         }
