@@ -4,11 +4,11 @@
 //! same to the last bit for any number of threads. `O(N)` time; element blocks are computed once per row, not stored.
 
 use crate::basis::{Basis, Slot};
+use crate::data::{Data, Support};
 use crate::element::{gradients, hats, linear_strain, stiffness_block};
 use crate::geometry::{Vec2, right_normal};
 use crate::material::Material;
 use crate::mesh::Mesh;
-use crate::problem::{Data, Support};
 use crate::quadrature::Cubature;
 use crate::sparse::BlockMatrix;
 use crate::{Error, Point};
