@@ -9,6 +9,8 @@ mod level;
 mod partial;
 mod reference;
 pub mod timing;
+#[cfg(test)]
+mod twins;
 
 use crate::error::RunError;
 use crate::exact::verify;
@@ -23,6 +25,7 @@ use partial::Partial;
 use rayon::prelude::*;
 pub use signorini_contact::solver::Method;
 use signorini_contact::solver::Settings;
+use signorini_contact::zone::Zone;
 use std::path::PathBuf;
 use timing::LevelTimes;
 
@@ -85,7 +88,7 @@ pub fn run_study(study: &Study, settings: &RunSettings, watch: &dyn Watch) -> Re
 pub fn run_case(study: &Study, case: &Case, settings: &RunSettings, watch: &dyn Watch) -> Result<CaseRun, RunError> {
     verify_exact(case)?;
     let cells = cells_of(case, settings);
-    let task = Task { case, cells, settings: solver_settings(case, settings) };
+    let task = Task { case, cells, settings: solver_settings(case, settings), constrain: Zone::new };
     let partial = Partial::open(study, case, settings, &task)?;
     let overkill = solve_reference(&task, settings)?;
     if overkill.is_some() {
