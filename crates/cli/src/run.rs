@@ -57,6 +57,7 @@ pub fn execute(args: &RunArgs, studies: &[Study]) -> Result<(Vec<Vec<CaseRun>>, 
     let one = |study: &Study| run_and_write(study, &settings, &args.out, &progress);
     let results: Vec<_> = studies.par_iter().with_max_len(1).map(one).collect();
     progress.finish();
+    run::tidy(&settings);
     let mut runs = Vec::new();
     let mut drifted = Vec::new();
     for result in results {

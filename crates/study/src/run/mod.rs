@@ -22,6 +22,7 @@ use crate::verdict::{self, JudgeInput};
 pub use check::{CheckedLevel, check_case};
 use level::Task;
 use partial::Partial;
+pub use partial::tidy;
 use rayon::prelude::*;
 pub use signorini_contact::solver::Method;
 use signorini_contact::solver::Settings;
