@@ -91,7 +91,7 @@ pub fn profile(arg: ProfileArg) -> Profile {
 type StudyRun = (Vec<CaseRun>, Vec<String>);
 
 fn run_and_write(study: &Study, settings: &RunSettings, out: &Path, progress: &Progress) -> Result<StudyRun, Failure> {
-    let mut runs = run::run_study(study, settings, progress).map_err(|e| Failure::of_run(&study.id, &e))?;
+    let mut runs = run::run_study(study, settings, progress).map_err(|e| Failure::of_run(study, &e))?;
     let drift = drift(&mut runs)?;
     for run in &runs {
         store::write_record(out, &run.record)?;

@@ -170,7 +170,7 @@ impl Problem<'_> {
         match nodes.iter().position(|n| !(n.offset.x.is_finite() && n.offset.y.is_finite())) {
             None => Ok(nodes),
             Some(i) => Err(Error::Load(format!(
-                "the prescribed displacement at ({}, {}) is ({}, {}), which is no number",
+                "the prescribed displacement at ({}, {}) is ({}, {}), which is no number; check its expression there",
                 self.mesh.points[i].x, self.mesh.points[i].y, nodes[i].offset.x, nodes[i].offset.y
             ))),
         }

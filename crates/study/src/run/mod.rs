@@ -78,7 +78,8 @@ pub struct CaseRun {
 /// # Errors
 /// The first case, in file order, whose input is meaningless.
 pub fn run_study(study: &Study, settings: &RunSettings, watch: &dyn Watch) -> Result<Vec<CaseRun>, RunError> {
-    let runs: Vec<_> = study.cases.par_iter().map(|case| run_case(study, case, settings, watch)).collect();
+    let one = |case: &Case| run_case(study, case, settings, watch).map_err(|e| e.in_case(study, case));
+    let runs: Vec<_> = study.cases.par_iter().map(one).collect();
     runs.into_iter().collect()
 }
 
