@@ -20,6 +20,9 @@ pub struct Cli {
     pub run: RunArgs,
 }
 
+/// The names of the commands, for who mistypes one.
+pub const COMMANDS: [&str; 5] = ["run", "list", "check", "bless", "report"];
+
 /// The commands.
 #[derive(Subcommand, Debug)]
 pub enum Command {

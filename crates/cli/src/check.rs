@@ -11,8 +11,8 @@ pub fn check(args: &CheckArgs) -> Result<u8, Failure> {
         println!("{}: {} ({})", study.id, study.title, study.claim.statement);
         study.claim.hypotheses.iter().for_each(|h| println!("  needs: {h}"));
         for case in &study.cases {
-            let name = format!("{}/{}", study.id, case.name);
-            let levels = check_case(case, profile(args.profile)).map_err(|e| Failure::of_run(&name, &e))?;
+            let levels = check_case(case, profile(args.profile))
+                .map_err(|e| Failure::of_run(&study, &e.in_case(&study, case)))?;
             println!("  {}: {} family, {} levels", case.name, case.family.name(), levels.len());
             levels.iter().for_each(print_level);
         }

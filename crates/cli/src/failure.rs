@@ -1,10 +1,15 @@
 //! What stops the program, in the form `error:` … `hint:` ….
 
+use crate::args::COMMANDS;
 use signorini_report::ReportError;
 use signorini_study::error::RunError;
+use signorini_study::expr::nearest;
 use signorini_study::file::{LibraryError, StudyError};
 use signorini_study::store::StoreError;
+use signorini_study::study::Study;
 use std::fmt;
+
+const OTHER_FOLDER: &str = "free the path, or name another folder with --out";
 
 /// Bad input, or a file system that refuses.
 #[derive(Debug)]
@@ -19,12 +24,13 @@ impl Failure {
         Self { what: what.into(), hint: Some(hint.into()) }
     }
 
-    /// An error of a study's run, with the study and case that it belongs to.
-    pub fn of_run(study: &str, error: &RunError) -> Self {
-        Self {
-            what: format!("{study}: {error}"),
-            hint: Some(format!("`signorini check {study}` repeats everything but the solve")),
+    /// An error of a study's run, with the file that the study was read from.
+    pub fn of_run(study: &Study, error: &RunError) -> Self {
+        let what = format!("{}: {error}", study.source.display());
+        if error.is_of_files() {
+            return Self::new(what, OTHER_FOLDER);
         }
+        Self::new(what, format!("mend the study; `signorini check {}` tries everything but the solve", study.id))
     }
 }
 
@@ -46,26 +52,40 @@ impl From<StudyError> for Failure {
     }
 }
 
-impl From<(String, RunError)> for Failure {
-    fn from((case, error): (String, RunError)) -> Self {
-        Self::of_run(&case, &error)
-    }
-}
-
 impl From<LibraryError> for Failure {
     fn from(e: LibraryError) -> Self {
-        Self::new(e.to_string(), "`signorini list` shows every study; `signorini --help` every command")
+        let list = "`signorini list` shows every study, `signorini --help` every command";
+        // A mistyped command is taken for a study.
+        let command = match &e {
+            LibraryError::Unknown { name, .. } => nearest(name, COMMANDS),
+            LibraryError::Empty(_) => None,
+        };
+        match command {
+            Some(command) => Self::new(e.to_string(), format!("or did you mean `signorini {command}`? {list}")),
+            None => Self::new(e.to_string(), list),
+        }
     }
 }
 
 impl From<StoreError> for Failure {
     fn from(e: StoreError) -> Self {
-        Self { what: e.to_string(), hint: None }
+        let what = e.to_string();
+        match e {
+            StoreError::Io { .. } => Self::new(what, OTHER_FOLDER),
+            StoreError::Content { .. } => {
+                Self::new(what, "delete the file and write it anew: `run` for records, `bless` for baselines")
+            }
+            StoreError::Name(_) => Self { what, hint: None },
+        }
     }
 }
 
 impl From<ReportError> for Failure {
     fn from(e: ReportError) -> Self {
-        Self { what: e.to_string(), hint: None }
+        let what = e.to_string();
+        match e {
+            ReportError::Io { .. } => Self::new(what, OTHER_FOLDER),
+            _ => Self { what, hint: None },
+        }
     }
 }

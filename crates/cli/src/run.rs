@@ -56,23 +56,23 @@ pub fn execute(args: &RunArgs, studies: &[Study]) -> Result<(Vec<Vec<CaseRun>>, 
     }
     let settings = settings(args);
     let progress = Progress::new(studies.iter().map(|s| run::work(s, &settings)).sum(), args.quiet);
-    let runs = run::run_all(studies, &settings, &progress, |_, run| write_case(run, &args.out, &progress));
+    let results = run::each_case(studies, &settings, |study, case| {
+        let run = run::run_case(study, case, &settings, &progress);
+        let run = run.map_err(|e| Failure::of_run(study, &e.in_case(study, case)))?;
+        write_case(run, &args.out, &progress)
+    });
     progress.finish();
+    run::tidy(&settings);
     let mut all = Vec::new();
     let mut drifted = Vec::new();
-    for (study, cases) in studies.iter().zip(runs?) {
-        let (runs, drift): (Vec<CaseRun>, Vec<Vec<String>>) = cases.into_iter().unzip();
+    for (study, cases) in studies.iter().zip(results) {
+        let cases: Result<Vec<_>, Failure> = cases.into_iter().collect();
+        let (runs, drift): (Vec<CaseRun>, Vec<Vec<String>>) = cases?.into_iter().unzip();
         write_timings(study, &runs, &args.out)?;
         all.push(runs);
         drifted.extend(drift.into_iter().flatten());
     }
-    remove_if_empty(&args.out.join(".partial"));
     Ok((all, drifted))
-}
-
-/// Takes the folder of unfinished cases away where nothing is left in it; a folder with something in it stays.
-fn remove_if_empty(folder: &Path) {
-    let _ = std::fs::remove_dir(folder);
 }
 
 fn settings(args: &RunArgs) -> RunSettings {

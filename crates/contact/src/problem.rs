@@ -63,9 +63,14 @@ impl Problem<'_> {
 
     /// The same with nodal loads `f(φ_i)` that were integrated elsewhere.
     pub fn discretise_with(&self, load: Vec<Vec2>) -> Result<Discrete, Error> {
+        self.discretise_zone(load, Zone::new(self.mesh))
+    }
+
+    /// The same with constraints that were chosen elsewhere, for zones built otherwise than by [`Zone::new`]. Its pairs must
+    /// be pairs of this mesh, each with one or two constraints, and its sides the mesh's contact sides.
+    pub fn discretise_zone(&self, load: Vec<Vec2>, zone: Zone) -> Result<Discrete, Error> {
         self.refuse_non_finite(&load)?;
         let nodes = self.node_supports()?;
-        let zone = Zone::new(self.mesh);
         let mut basis = Basis::new(&nodes);
         let mut tied = Vec::with_capacity(zone.pairs.len());
         for (i, pair) in zone.pairs.iter().enumerate() {
@@ -128,7 +133,7 @@ impl Problem<'_> {
         match nodes.iter().position(|n| !(n.offset.x.is_finite() && n.offset.y.is_finite())) {
             None => Ok(nodes),
             Some(i) => Err(Error::Load(format!(
-                "the prescribed displacement at ({}, {}) is ({}, {}), which is no number",
+                "the prescribed displacement at ({}, {}) is ({}, {}), which is no number; check its expression there",
                 self.mesh.points[i].x, self.mesh.points[i].y, nodes[i].offset.x, nodes[i].offset.y
             ))),
         }

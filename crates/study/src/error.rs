@@ -1,5 +1,7 @@
 //! Why a study could not be run.
 
+use crate::study::{Case, Study};
+
 /// Meaningless input or a file that cannot be used; a solve that ended badly is part of the record instead.
 #[derive(Debug, thiserror::Error)]
 pub enum RunError {
@@ -9,6 +11,14 @@ pub enum RunError {
     /// The exact solution breaks a condition that it claims.
     #[error("exact solution: {0}")]
     Exact(String),
+    /// The same, in one of several cases.
+    #[error("case '{case}': {source}")]
+    InCase {
+        /// Which case.
+        case: String,
+        /// What is wrong with it.
+        source: Box<Self>,
+    },
     /// No reference solution.
     #[error("reference: {0}")]
     Reference(String),
@@ -21,4 +31,22 @@ pub enum RunError {
     /// A record cannot be written or read.
     #[error(transparent)]
     Record(#[from] crate::record::RecordError),
+}
+
+impl RunError {
+    /// Names the case, where the study has several.
+    pub fn in_case(self, study: &Study, case: &Case) -> Self {
+        if study.cases.len() == 1 {
+            return self;
+        }
+        Self::InCase { case: case.name.clone(), source: Box::new(self) }
+    }
+
+    /// Whether a file or folder is to blame, and not the study.
+    pub fn is_of_files(&self) -> bool {
+        match self {
+            Self::InCase { source, .. } => source.is_of_files(),
+            other => matches!(other, Self::Store(_)),
+        }
+    }
 }

@@ -35,6 +35,8 @@ pub struct Task<'a> {
     pub cells: &'a [usize],
     /// Solver settings, the study's or the command line's.
     pub settings: Settings,
+    /// How the contact zone of a mesh is constrained: [`Zone::new`], unless a test plants a defect.
+    pub constrain: fn(&Mesh) -> Zone,
 }
 
 impl Task<'_> {
@@ -65,7 +67,7 @@ impl Task<'_> {
         let cubature = self.case.scene.cubature(1, fixed);
         let supports = self.case.scene.supports();
         let problem = self.problem(mesh, &supports, &cubature);
-        let discrete = problem.discretise_with(fine.load.clone())?;
+        let discrete = problem.discretise_zone(fine.load.clone(), (self.constrain)(mesh))?;
         watch.lap(|t| &mut t.assembly);
         let solved = self.solve(&problem, discrete, &mut watch);
         let measured =

@@ -9,6 +9,8 @@ mod level;
 mod partial;
 mod reference;
 pub mod timing;
+#[cfg(test)]
+mod twins;
 
 use crate::error::RunError;
 use crate::exact::verify;
@@ -20,9 +22,11 @@ use crate::verdict::{self, JudgeInput};
 pub use check::{CheckedLevel, check_case};
 use level::Task;
 use partial::Partial;
+pub use partial::tidy;
 use rayon::prelude::*;
 pub use signorini_contact::solver::Method;
 use signorini_contact::solver::Settings;
+use signorini_contact::zone::Zone;
 use std::path::PathBuf;
 use timing::LevelTimes;
 
@@ -80,27 +84,19 @@ impl CaseRun {
 /// References larger than this, in cells per unit, are solved one at a time: two of them would not fit in memory.
 const LARGE_REFERENCE: usize = 512;
 
-/// Runs every case of the studies, large references one after the other and everything else side by side, and hands each
-/// case to `done` as soon as it is judged: the study's place, the case's place, the run. Results come in the order of the
-/// file.
-///
-/// # Errors
-/// The first case, in that order, whose input is meaningless or whose `done` failed.
-pub fn run_all<T: Send, E: From<(String, RunError)> + Send>(
+/// Calls `one` for every case of the studies, cases with large references one after the other and everything else side by
+/// side. Results come study by study, in the order of the files.
+pub fn each_case<T: Send>(
     studies: &[Study],
     settings: &RunSettings,
-    watch: &dyn Watch,
-    done: impl Fn(&Study, CaseRun) -> Result<T, E> + Sync,
-) -> Result<Vec<Vec<T>>, E> {
+    one: impl Fn(&Study, &Case) -> T + Sync,
+) -> Vec<Vec<T>> {
     let all: Vec<(&Study, &Case)> = studies.iter().flat_map(|s| s.cases.iter().map(move |c| (s, c))).collect();
-    let one = |&(study, case): &(&Study, &Case)| {
-        let run = run_case(study, case, settings, watch);
-        run.map_err(|e| E::from((format!("{}/{}", study.id, case.name), e))).and_then(|run| done(study, run))
-    };
     let is_large = |case: &Case| matches!(reference_cells(case, settings), Some(n) if n > LARGE_REFERENCE);
-    let large: Vec<Option<Result<T, E>>> = all.iter().map(|pair| is_large(pair.1).then(|| one(pair))).collect();
-    let rest = all.par_iter().with_max_len(1).zip(large).map(|(pair, known)| known.unwrap_or_else(|| one(pair)));
-    let mut results = rest.collect::<Vec<_>>().into_iter();
+    let large: Vec<Option<T>> = all.iter().map(|(study, case)| is_large(case).then(|| one(study, case))).collect();
+    let side_by_side = all.par_iter().with_max_len(1).zip(large);
+    let results: Vec<T> = side_by_side.map(|((s, c), known)| known.unwrap_or_else(|| one(s, c))).collect();
+    let mut results = results.into_iter();
     studies.iter().map(|s| results.by_ref().take(s.cases.len()).collect()).collect()
 }
 
@@ -111,7 +107,7 @@ pub fn run_all<T: Send, E: From<(String, RunError)> + Send>(
 pub fn run_case(study: &Study, case: &Case, settings: &RunSettings, watch: &dyn Watch) -> Result<CaseRun, RunError> {
     verify_exact(case)?;
     let cells = cells_of(case, settings);
-    let task = Task { case, cells, settings: solver_settings(case, settings) };
+    let task = Task { case, cells, settings: solver_settings(case, settings), constrain: Zone::new };
     let partial = Partial::open(study, case, settings, &task)?;
     let overkill = solve_reference(&task, settings)?;
     if overkill.is_some() {

@@ -1,7 +1,8 @@
 //! Unfinished cases: finished levels are kept until the case is done, so that an interrupted run resumes.
 //!
-//! `<out>/.partial/<key>/level-3.json`, where the key hashes everything that the levels depend on: study text, profile,
-//! sizes, solver settings and the program's version. Another key is another folder; the folder of a finished case goes.
+//! `<out>/.partial/<study>@<case>@<key>/level-3.json`, where the key hashes everything that the levels depend on: study
+//! text, profile, sizes, solver settings and the program's version. Levels kept under another key belong to another
+//! problem and are discarded; the folder of a finished case goes, and at the end of the run the empty `.partial`.
 
 use super::RunSettings;
 use super::level::Task;
@@ -11,7 +12,8 @@ use crate::record::{Level, to_json};
 use crate::store;
 use crate::study::{Case, Study};
 use serde::{Deserialize, Serialize};
-use std::path::PathBuf;
+use std::fs::DirEntry;
+use std::path::{Path, PathBuf};
 
 /// Where a case keeps its finished levels.
 pub struct Partial {
@@ -38,7 +40,10 @@ impl Partial {
             task.settings,
             env!("CARGO_PKG_VERSION")
         );
-        let folder = root.join(format!("{:016x}", signorini_contact::mesh::fnv1a(what.as_bytes())));
+        // No id and no case has an '@' in its name.
+        let owner = format!("{}@{}@", study.id, case.name);
+        let folder = root.join(format!("{owner}{:016x}", signorini_contact::mesh::fnv1a(what.as_bytes())));
+        discard_others(root, &owner, &folder);
         Ok(Self { folder: Some(folder) })
     }
 
@@ -67,5 +72,22 @@ impl Partial {
             // A folder that cannot be removed costs space, not truth: its key no longer matters to a finished case.
             let _ = std::fs::remove_dir_all(folder);
         }
+    }
+}
+
+/// Removes the folder of unfinished cases, unless one of them still keeps something there.
+pub fn tidy(settings: &RunSettings) {
+    if let Some(root) = &settings.partial {
+        // Refused where it is not empty, which is what is wanted.
+        let _ = std::fs::remove_dir(root);
+    }
+}
+
+/// Removes what the case kept under other settings: nothing will ask for it again.
+fn discard_others(root: &Path, owner: &str, folder: &Path) {
+    let entries = std::fs::read_dir(root).into_iter().flatten().flatten();
+    let stale = |e: &DirEntry| e.file_name().to_string_lossy().starts_with(owner) && e.path() != folder;
+    for entry in entries.filter(stale) {
+        let _ = std::fs::remove_dir_all(entry.path());
     }
 }
