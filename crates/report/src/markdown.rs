@@ -3,7 +3,6 @@
 use crate::format;
 use crate::levels;
 use crate::norm;
-use crate::summary::reference_word;
 use crate::table::{Cell, Column, Row, Table};
 use crate::verdict;
 use signorini_study::record::{ClaimKind, Rate, Reference, StudyRecord};
@@ -149,8 +148,8 @@ fn family_words(record: &StudyRecord) -> String {
 
 fn reference_words(reference: &Reference) -> String {
     let Reference::Overkill { h, dofs, energy, estimated_error, stationarity, solver } = reference else {
-        return match reference_word(reference) {
-            "exact" => "exact, a closed form".into(),
+        return match reference {
+            Reference::Exact => "exact, a closed form".into(),
             _ => "none: energies and certificates alone".into(),
         };
     };

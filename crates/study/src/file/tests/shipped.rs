@@ -150,7 +150,8 @@ fn two_squares_has_its_published_load() {
 #[test]
 fn controls_plant_their_defects_and_say_what_they_expect() {
     let expect = |id: &str| load(id).cases[0].expect;
-    let controls = ["wrong-mu", "same-mesh-twice", "loose-solver", "fixed-quadrature", "too-few-levels", "roaming-switch"];
+    let controls =
+        ["wrong-mu", "same-mesh-twice", "loose-solver", "fixed-quadrature", "too-few-levels", "roaming-switch"];
     assert_eq!(shipped().group(Group::Controls).count(), controls.len());
     for id in controls {
         assert_eq!(expect(id), Some(Outcome::Inconclusive), "{id}");
