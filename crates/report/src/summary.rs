@@ -1,7 +1,7 @@
 //! One row per case: what was claimed, what was observed, what the verdict is.
 
 use crate::format;
-use crate::norm::judged_rate;
+use crate::norm::{self, judged_rate};
 use crate::table::{Cell, Column, Row, Table, text};
 use crate::verdict;
 use signorini_study::record::StudyRecord;
@@ -57,15 +57,17 @@ fn markdown_table(records: &[StudyRecord]) -> Table {
         ("expected", "expected"),
         ("outcome", "verdict"),
     ];
-    let rows = records.iter().map(|r| Row {
-        cells: [
-            vec![Cell::text(&r.claim), Cell::text(&r.statement), Cell::text(link(r)), Cell::text(&r.case)],
-            figures(r, format::interval),
-        ]
-        .concat(),
-        excluded: None,
+    let rows = records.iter().enumerate().map(|(i, r)| {
+        let names = [Cell::text(&r.claim), Cell::text(statement(records, i)), Cell::text(link(r)), Cell::text(&r.case)];
+        Row { cells: [names.to_vec(), figures(r, format::interval)].concat(), excluded: None }
     });
     Table { rows: rows.collect(), columns: columns.map(|(key, heading)| Column::new(key, heading)).to_vec() }
+}
+
+/// The statement of the claim, where it is not the same as in the row above.
+fn statement(records: &[StudyRecord], row: usize) -> &str {
+    let repeated = row > 0 && records[row - 1].statement == records[row].statement;
+    if repeated { "" } else { &records[row].statement }
 }
 
 fn text_table(records: &[StudyRecord]) -> Table {
@@ -81,7 +83,7 @@ fn text_table(records: &[StudyRecord]) -> Table {
 fn figures(record: &StudyRecord, shown: fn(f64, f64, f64) -> String) -> Vec<Cell> {
     let observed = judged_rate(record).map(|r| shown(r.slope, r.low, r.high));
     vec![
-        Cell::text(&record.norm),
+        Cell::text(norm::short_words(&record.norm)),
         observed.map_or(Cell::Missing, Cell::Text),
         Cell::bound(record.bounds.paper),
         Cell::bound(record.bounds.today),
