@@ -16,7 +16,7 @@
 //! ```
 //! use signorini_contact::mesh::{Mesh, PartOutline, blocks::{Pattern, QuadBlock, triangulate}};
 //! use signorini_contact::problem::{Data, Problem, Support};
-//! use signorini_contact::{Body, Error, Material, Point, Vec2, quadrature::Cubature, solver::Settings};
+//! use signorini_contact::{Body, Error, Material, Point, Vec2, material::Plane, quadrature::Cubature, solver::Settings};
 //!
 //! struct Press; // a traction of 0.1 downwards on every loaded part
 //! impl Data for Press {
@@ -25,17 +25,20 @@
 //!
 //! # fn main() -> Result<(), Error> {
 //! let square = |y: f64| [[0.0, y], [1.0, y], [1.0, y + 1.0], [0.0, y + 1.0]].map(|[x, y]| Point::new(x, y));
-//! let body = |y| triangulate(&[QuadBlock { corners: square(y), cells: [8, 8] }], Pattern::Structured);
-//! let part = |body, name: &str, corners: &[usize], y: f64| PartOutline {
+//! let block = |y| triangulate(&[QuadBlock { corners: square(y), cells: [8, 8] }], Pattern::Structured);
+//! let part = |body, name: &str, y: f64, corners: &[usize]| PartOutline {
 //!     body, name: name.into(), along: corners.iter().map(|&k| square(y)[k]).collect(),
 //! };
-//! let parts = [
-//!     part(Body::First, "right and top", &[1, 2, 3], 0.0), part(Body::First, "left", &[3, 0], 0.0),
-//!     part(Body::Second, "sides", &[3, 0], -1.0), part(Body::Second, "bottom", &[0, 1], -1.0), part(Body::Second, "right", &[1, 2], -1.0),
-//! ];
-//! let mesh = Mesh::build([body(0.0)?, body(-1.0)?], &parts, &[square(0.0)[0], square(0.0)[1]])?;
-//! let supports = [Support::Traction, Support::Sliding, Support::Free, Support::Fixed, Support::Free];
-//! let material = Material::isotropic(1.0, 0.3, signorini_contact::material::Plane::Strain)?;
+//! let (parts, supports): (Vec<_>, Vec<_>) = [
+//!     (part(Body::First, "right", 0.0, &[1, 2]), Support::Free),
+//!     (part(Body::First, "top", 0.0, &[2, 3]), Support::Traction),
+//!     (part(Body::First, "left", 0.0, &[3, 0]), Support::Sliding),
+//!     (part(Body::Second, "left", -1.0, &[3, 0]), Support::Free),
+//!     (part(Body::Second, "bottom", -1.0, &[0, 1]), Support::Fixed),
+//!     (part(Body::Second, "right", -1.0, &[1, 2]), Support::Free),
+//! ].into_iter().unzip();
+//! let mesh = Mesh::build([block(0.0)?, block(-1.0)?], &parts, &[square(0.0)[0], square(0.0)[1]])?;
+//! let material = Material::isotropic(1.0, 0.3, Plane::Strain)?;
 //! let problem = Problem { mesh: &mesh, materials: [material; 2], supports: &supports, data: &Press, cubature: &Cubature::default() };
 //! let (_, solution) = problem.solve(&Settings::default())?;
 //! assert!(solution.raw.status.is_solved());

@@ -1,18 +1,13 @@
 //! Why a report could not be made.
 
-use std::path::PathBuf;
+use signorini_study::store::StoreError;
 
 /// What stops a table, a picture or a page from being made or written.
 #[derive(Debug, thiserror::Error)]
 pub enum ReportError {
-    /// The file system refused.
-    #[error("report: cannot write {path}: {source}")]
-    Io {
-        /// The file or folder.
-        path: PathBuf,
-        /// What the system said.
-        source: std::io::Error,
-    },
+    /// A file cannot be written, or would hold a number that is none.
+    #[error("report: {0}")]
+    Store(#[from] StoreError),
     /// The CSV writer refused.
     #[error("report: csv: {0}")]
     Csv(#[from] csv::Error),

@@ -1,12 +1,15 @@
 //! The tables of one case: what was measured on each level, and the fitted rates.
 
 use crate::format;
-use crate::norm::{self, Norm};
+use crate::norm::{self, Norm, Trust};
 use crate::table::{Cell, Column, Row, Table};
-use signorini_study::record::{Ledger, Level, StudyRecord};
+use signorini_study::record::{ClaimKind, Ledger, Level, Rate, StudyRecord};
 
 /// Norms that carry a pairwise rate (EOC) beside them in [`errors`].
 const WITH_RATE: [&str; 4] = ["energy", "strain", "h1", "l2"];
+
+/// Quantities that have their column in [`contact`].
+const SHOWN_WITH_CONTACT: [&str; 5] = ["pressure_l2", "pressure_dual", "penetration_l2", "contact_set", "energy_gap"];
 
 /// The cell of the level at an index.
 type CellOf<'a> = dyn Fn(usize, &Level) -> Cell + 'a;
@@ -31,10 +34,14 @@ pub fn all(record: &StudyRecord) -> Table {
     build(record, columns)
 }
 
-/// Mesh size and errors, each norm with its rate between successive levels.
+/// Mesh size and errors, each norm with its rate between successive levels; the judged quantity among them.
 pub fn errors(record: &StudyRecord) -> Table {
     let mut columns = size_columns();
     columns.extend(error_columns(record));
+    if let Some(judged) = norm::norm(&record.norm).filter(|n| SHOWN_WITH_CONTACT.contains(&n.key)) {
+        let rate = columns.iter().position(|c| c.column.key == format!("{}_rate", judged.key));
+        columns.insert(rate.unwrap_or(columns.len()), error_column(judged));
+    }
     without_empty(build(record, columns))
 }
 
@@ -60,7 +67,8 @@ pub fn solution(record: &StudyRecord) -> Table {
     build(record, columns)
 }
 
-/// One row per fitted norm: slope, interval, window and quality of the fit.
+/// One row per fitted norm: slope, interval, window and quality of the fit. A rate that is not asymptotic is marked; one
+/// whose errors scatter shows no numbers but R².
 pub fn rates(record: &StudyRecord) -> Table {
     let columns = [
         ("norm", "error"),
@@ -73,21 +81,31 @@ pub fn rates(record: &StudyRecord) -> Table {
         ("curvature", "curvature"),
         ("dofs_slope", "rate in dofs^(−1/2)"),
     ];
-    let rows = record.rates.iter().map(|(key, r)| Row {
+    let rows = norm::rates_in_order(record).into_iter().map(|(key, rate)| rate_row(record, key, rate));
+    Table { rows: rows.collect(), columns: columns.map(|(key, heading)| Column::new(key, heading)).to_vec() }
+}
+
+fn rate_row(record: &StudyRecord, key: &str, r: &Rate) -> Row {
+    let words = match key {
+        "dofs" => format!("{}, fitted against dofs^(−1/2)", norm::words(&record.norm)),
+        _ => norm::words(key),
+    };
+    let trust = Trust::of(r);
+    let shown = |cell: Cell| if trust == Trust::Scattered { Cell::Missing } else { cell };
+    Row {
         cells: vec![
-            Cell::text(norm::words(key)),
-            Cell::Rate(r.slope),
-            Cell::Number(r.stderr),
-            Cell::Rate(r.low),
-            Cell::Rate(r.high),
+            Cell::text(words),
+            shown(Cell::Rate(r.slope)),
+            shown(Cell::Number(r.stderr)),
+            shown(Cell::Rate(r.low)),
+            shown(Cell::Rate(r.high)),
             Cell::text(format::levels(&r.levels)),
             Cell::Number(r.r2),
-            Cell::Rate(r.curvature),
-            Cell::Rate(r.dofs_slope),
+            shown(Cell::Rate(r.curvature)),
+            shown(Cell::Rate(r.dofs_slope)),
         ],
-        excluded: None,
-    });
-    Table { rows: rows.collect(), columns: columns.map(|(key, heading)| Column::new(key, heading)).to_vec() }
+        excluded: trust.remark().map(String::from),
+    }
 }
 
 fn build(record: &StudyRecord, measured: Vec<Measured<'_>>) -> Table {
@@ -138,15 +156,17 @@ fn error_columns(record: &StudyRecord) -> Vec<Measured<'_>> {
     columns
 }
 
-/// The judged quantity where it is none of the usual norms.
+/// The judged quantity where it is none of the usual norms, with its rate where a rate is asked for.
 fn judged_columns(record: &StudyRecord) -> Vec<Measured<'_>> {
-    const SHOWN_ELSEWHERE: [&str; 5] = ["pressure_l2", "pressure_dual", "penetration_l2", "contact_set", "energy_gap"];
     let Some(norm) = norm::norm(&record.norm) else {
         return Vec::new();
     };
-    let mut columns = vec![rate_column(record, norm)];
-    if !SHOWN_ELSEWHERE.contains(&norm.key) {
-        columns.insert(0, error_column(norm));
+    let mut columns = Vec::new();
+    if !SHOWN_WITH_CONTACT.contains(&norm.key) {
+        columns.push(error_column(norm));
+    }
+    if matches!(record.kind, ClaimKind::Rate | ClaimKind::Convergence) {
+        columns.push(rate_column(record, norm));
     }
     columns
 }
@@ -194,7 +214,7 @@ fn ledger_columns() -> Vec<Measured<'static>> {
 
 fn solution_columns() -> Vec<Measured<'static>> {
     vec![
-        measured("min_angle", "min angle °", |l| Cell::Number(l.min_angle)),
+        measured("min_angle", "min angle (°)", |l| Cell::Number(l.min_angle)),
         measured("side_ratio", "β", |l| Cell::Number(l.side_ratio)),
         measured("two_way", "two-way", |l| Cell::number(l.two_way)),
         measured("energy_value", "L(uₕ)", |l| Cell::Number(l.energy)),

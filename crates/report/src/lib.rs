@@ -18,8 +18,7 @@
 //! ```
 //!
 //! Reading order: [`table`] (the one table model) · [`norm`] (what can be tabulated) · [`levels`] (the tables of a
-//! case) · [`markdown`] (its page) · [`plot`] (its pictures) · [`verdict`], [`summary`] (all cases together) ·
-//! [`write`](mod@write).
+//! case) · [`markdown`] (its page) · [`plot`] (its pictures) · [`verdict`], [`summary`] (all cases together).
 
 pub mod error;
 pub mod format;
@@ -30,14 +29,13 @@ pub mod plot;
 pub mod summary;
 pub mod table;
 pub mod verdict;
-pub mod write;
 
 pub use error::ReportError;
-pub use summary::{SummaryRow, summary_markdown, summary_rows, summary_text};
+pub use summary::{summary_markdown, summary_text};
 
 use signorini_study::record::StudyRecord;
+use signorini_study::store::{remove_if_present, write_atomic, write_summary};
 use std::path::{Path, PathBuf};
-use write::{remove_if_present, write_atomically};
 
 /// Writes what there is to read about one case into its folder `dir`: `report.md`, `table.csv`, `table.json`,
 /// `rates.png`, `ledger.png` and the pictures' twins `rates.svg`, `ledger.svg`.
@@ -71,10 +69,9 @@ pub fn render(record: &StudyRecord, dir: &Path) -> Result<Vec<PathBuf>, ReportEr
 /// # Errors
 /// [`ReportError`] if a file cannot be written or a number is not finite.
 pub fn render_summary(records: &[StudyRecord], dir: &Path) -> Result<Vec<PathBuf>, ReportError> {
-    let rows = summary_rows(records)?;
     let mut folder = Folder::new(dir);
     folder.write("summary.md", summary_markdown(records).as_bytes())?;
-    folder.write("summary.json", &table::json_text(&rows)?)?;
+    folder.written.push(write_summary(dir, records)?);
     Ok(folder.written)
 }
 
@@ -91,7 +88,7 @@ impl<'a> Folder<'a> {
 
     fn write(&mut self, name: &str, bytes: &[u8]) -> Result<(), ReportError> {
         let path = self.dir.join(name);
-        write_atomically(&path, bytes)?;
+        write_atomic(&path, bytes)?;
         self.written.push(path);
         Ok(())
     }
@@ -99,7 +96,7 @@ impl<'a> Folder<'a> {
     fn write_or_remove(&mut self, name: &str, bytes: Option<&[u8]>) -> Result<(), ReportError> {
         match bytes {
             Some(bytes) => self.write(name, bytes),
-            None => remove_if_present(&self.dir.join(name)),
+            None => Ok(remove_if_present(&self.dir.join(name))?),
         }
     }
 }

@@ -3,7 +3,6 @@
 use crate::format;
 use crate::levels;
 use crate::norm;
-use crate::summary::reference_word;
 use crate::table::{Cell, Column, Row, Table};
 use crate::verdict;
 use signorini_study::record::{ClaimKind, Rate, Reference, StudyRecord};
@@ -38,8 +37,12 @@ pub fn page(record: &StudyRecord, pictures: Pictures) -> String {
 
 const ERRORS_LEGEND: &str = "h is the largest side; a rate stands beside its norm and is taken between a level and the \
 usable level before it, log(e₁/e₂) / log(h₁/h₂).";
+const DOUBTFUL_RATES: &str = "\n† Not asymptotic: the pairwise rates still drift. Where no rate stands the errors \
+scatter, and the 95 % interval is wider than ±0.5.\n";
 const LEDGER_LEGEND: &str = "The estimate of the error, term by term: ½A(e,e) ≤ a + b + c with a = ½A(u−u_I, u−u_I), \
-b and c the terms of the contact zone, δ the quadrature estimate of them all.";
+b and c the terms of the contact zone, δ the quadrature estimate of them all. With few switch points b depends on \
+where they sit in their sides, so it falls unevenly or vanishes; its bound is what is claimed. Terms below 1e-14 ‖u‖² \
+in the energy norm are rounding.";
 const CONTACT_LEGEND: &str = "Active: constraints whose multiplier exceeds 1e-8 of the largest. Contact set: length of \
 the symmetric difference with the reference's.";
 const SOLUTION_LEGEND: &str = "Two-way: relative difference of A(e,e) by quadrature and by energies. KKT: scaled \
@@ -73,15 +76,18 @@ fn claim(record: &StudyRecord) -> String {
         norm::words(&record.norm),
     );
     let observed = norm::judged_rate(record);
-    let bounds = bounds_table(record, observed).to_markdown();
-    let mut body = format!("{}\n\n{judged}\n\n{bounds}", record.statement.trim());
+    let mut body = format!("{}\n\n{judged}\n", record.statement.trim());
+    let b = &record.bounds;
+    if observed.is_some() || [b.paper, b.today, b.expected].iter().any(Option::is_some) {
+        body += &format!("\n{}", bounds_table(record, observed).to_markdown());
+    }
     if let Some(rate) = observed {
         body += &format!("\n{}", fit_words(rate));
     }
     section("Claim", &body)
 }
 
-fn kind_words(kind: ClaimKind) -> &'static str {
+pub(crate) fn kind_words(kind: ClaimKind) -> &'static str {
     match kind {
         ClaimKind::Rate => "a rate",
         ClaimKind::Inequality => "an inequality on every level",
@@ -117,12 +123,13 @@ fn bounds_table(record: &StudyRecord, observed: Option<&Rate>) -> Table {
 fn fit_words(rate: &Rate) -> String {
     format!(
         "Fitted over {}: standard error {}, R² {:.6}, change of the pairwise rate per level {}; \
-         against dofs^(−1/2) the slope is {}.\n",
+         against dofs^(−1/2) the slope is {}.{}\n",
         format::level_words(&rate.levels),
         format::significant(rate.stderr, 2),
         rate.r2,
         format::rate(rate.curvature),
         format::rate(rate.dofs_slope),
+        norm::Trust::of(rate).remark().map_or(String::new(), |why| format!(" No firm rate: {why}.")),
     )
 }
 
@@ -149,16 +156,17 @@ fn family_words(record: &StudyRecord) -> String {
 
 fn reference_words(reference: &Reference) -> String {
     let Reference::Overkill { h, dofs, energy, estimated_error, stationarity, solver } = reference else {
-        return match reference_word(reference) {
-            "exact" => "exact, a closed form".into(),
+        return match reference {
+            Reference::Exact => "exact, a closed form".into(),
             _ => "none: energies and certificates alone".into(),
         };
     };
     let own = estimated_error.map_or(format::MISSING.into(), |e| format::significant(e, 3));
     format!(
-        "overkill, the discrete solution at h = {} ({dofs} dofs, solver {solver}); its energy {energy}, its own \
+        "overkill, the discrete solution at h = {} ({dofs} dofs, solver {solver}); its energy {}, its own \
          error in the energy norm about {own}, its stationarity residual {}",
         format::significant(*h, 5),
+        format::significant(*energy, 10),
         format::significant(*stationarity, 3),
     )
 }
@@ -183,7 +191,9 @@ fn errors(record: &StudyRecord, picture: bool) -> String {
     let mut body = image(picture, "rates.png", "Errors against mesh size");
     body += &format!("{}\n{ERRORS_LEGEND}\n", levels::errors(record).to_markdown());
     if !record.rates.is_empty() {
-        body += &format!("\n{}", levels::rates(record).to_markdown());
+        let table = levels::rates(record);
+        let marked = table.rows.iter().any(|row| row.excluded.is_some());
+        body += &format!("\n{}", table.to_markdown_above(if marked { DOUBTFUL_RATES } else { "" }));
     }
     section("Errors", &body)
 }

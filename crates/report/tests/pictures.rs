@@ -97,7 +97,7 @@ fn greyed_levels_and_zero_terms_are_said() -> Result<(), &'static str> {
     assert!(rates.remarks[0].contains("levels 5–6: reference contamination"), "{:?}", rates.remarks);
     let ledger = plot::ledger(&record).ok_or("no chart")?;
     assert!(ledger.curves.iter().all(|c| c.label != "b"));
-    assert!(ledger.remarks.iter().any(|r| r.contains("b is zero on levels 0–6")), "{:?}", ledger.remarks);
+    assert!(ledger.remarks.iter().any(|r| r.contains("zero or rounding: b on levels 0–6")), "{:?}", ledger.remarks);
     assert!(ledger.subtitle[1].contains("BROKEN on levels 2, 5"), "{:?}", ledger.subtitle);
     Ok(())
 }

@@ -87,6 +87,17 @@ pub enum Reference {
     None,
 }
 
+impl Reference {
+    /// `exact`, `overkill` or `none`.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Exact => "exact",
+            Self::Overkill { .. } => "overkill",
+            Self::None => "none",
+        }
+    }
+}
+
 /// One mesh size of a case.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Level {

@@ -32,7 +32,7 @@ pub fn solve(qp: &BoundQp, settings: &Settings) -> QpSolution {
 pub struct Prepared<'a>(Preparation<'a>);
 
 enum Preparation<'a> {
-    Condensed(condensed::Condensed<'a>),
+    Condensed(Box<condensed::Condensed<'a>>),
     InteriorPoint(&'a BoundQp),
 }
 
@@ -40,7 +40,7 @@ impl<'a> Prepared<'a> {
     /// `condensed`: the sparse factorisation and the Schur complement. `interior-point` has nothing to prepare.
     pub fn new(qp: &'a BoundQp, method: Method) -> Self {
         Self(match method {
-            Method::Condensed => Preparation::Condensed(condensed::Condensed::new(qp)),
+            Method::Condensed => Preparation::Condensed(Box::new(condensed::Condensed::new(qp))),
             Method::InteriorPoint => Preparation::InteriorPoint(qp),
         })
     }

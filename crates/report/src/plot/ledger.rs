@@ -27,12 +27,12 @@ const TERMS: [Term; 5] = [
 /// `½A(e,e)`, the terms `a`, `b`, `c` by their absolute values, and their sum, against `h`, with the bound's own slope
 /// (the square of the claimed rate) beside them.
 ///
-/// `None` if no level has a ledger with a positive finite term.
+/// `None` if neither side of the inequality has a finite value above rounding.
 pub fn ledger(record: &StudyRecord) -> Option<Chart> {
     let polygonal = levels(record).all(|(_, l)| l.c == 0.0);
     let terms = TERMS.iter().filter(|t| !(polygonal && t.words == "c"));
     let curves: Vec<Curve> = terms.filter_map(|t| curve(record, t, polygonal)).collect();
-    if curves.is_empty() {
+    if !curves.iter().any(|c| c.judged) {
         return None;
     }
     let sloped = curves.iter().any(Curve::has_slope);
@@ -54,7 +54,7 @@ fn levels(record: &StudyRecord) -> impl Iterator<Item = (&Level, &Ledger)> {
 
 fn curve(record: &StudyRecord, term: &Term, polygonal: bool) -> Option<Curve> {
     let marks: Vec<Mark> = levels(record).filter_map(|(level, l)| mark(level, (term.value)(l))).collect();
-    let negative = levels(record).any(|(_, l)| (term.value)(l) < 0.0);
+    let negative = levels(record).any(|(level, l)| is_negative(level, (term.value)(l)));
     let words = if polygonal && term.words == "a + b + c" { "a + b" } else { term.words };
     (!marks.is_empty()).then(|| Curve {
         label: if negative { format!("|{words}|") } else { words.into() },
@@ -67,9 +67,20 @@ fn curve(record: &StudyRecord, term: &Term, polygonal: bool) -> Option<Curve> {
     })
 }
 
+/// Whether a term is zero or no more than `1e-14 A(u,u)`, the rounding that the inequality itself allows for.
+fn is_rounding(level: &Level, value: f64) -> bool {
+    let solution = level.solution_energy.unwrap_or(0.0);
+    value.abs() <= 1e-14 * solution * solution
+}
+
 fn mark(level: &Level, value: f64) -> Option<Mark> {
-    let drawable = value != 0.0 && value.is_finite() && level.h > 0.0 && level.h.is_finite();
+    let drawable = !is_rounding(level, value) && value.is_finite() && level.h > 0.0 && level.h.is_finite();
     drawable.then(|| Mark { h: level.h, value: value.abs(), kind: kind(level, value) })
+}
+
+/// Negative beyond rounding.
+fn is_negative(level: &Level, value: f64) -> bool {
+    value < 0.0 && !is_rounding(level, value)
 }
 
 /// `½A(e,e) ≤ a + b holds on levels 0–4, is broken on level 5`
@@ -86,22 +97,24 @@ fn inequality(record: &StudyRecord, polygonal: bool) -> String {
 /// Squares fall twice as fast as norms: `h²` for `O(h)`, `h³ᐟ²` for `O(h³ᐟ⁴)`.
 fn slope(record: &StudyRecord) -> Slope {
     let energy_like = matches!(record.norm.as_str(), "strain" | "energy" | "h1");
-    let bound = record.bounds.paper.or(record.bounds.today).or(record.bounds.expected);
-    match bound.filter(|b| energy_like && b.is_finite()) {
-        Some(rate) => Slope { exponent: 2.0 * rate, label: format::order(2.0 * rate), source: "claimed".into() },
+    let proven = record.bounds.paper.or(record.bounds.today);
+    let source = if proven.is_some() { "claimed" } else { "expected" };
+    match proven.or(record.bounds.expected).filter(|b| energy_like && b.is_finite()) {
+        Some(rate) => Slope { exponent: 2.0 * rate, label: format::order(2.0 * rate), source: source.into() },
         None => Slope { exponent: 2.0, label: "O(h²)".into(), source: "to compare".into() },
     }
 }
 
 fn remarks(record: &StudyRecord, polygonal: bool) -> Vec<String> {
     let mut remarks = excluded(record);
-    if levels(record).any(|(_, l)| [l.a, l.b, l.c, l.a + l.b + l.c].iter().any(|x| *x < 0.0)) {
+    if levels(record).any(|(level, l)| TERMS.iter().any(|t| is_negative(level, (t.value)(l)))) {
         remarks.push("Hollow marks: the absolute value of a negative term.".into());
     }
     for term in TERMS.iter().filter(|t| !(polygonal && t.words == "c")) {
-        let zero: Vec<usize> = levels(record).filter(|(_, l)| (term.value)(l) == 0.0).map(|(l, _)| l.level).collect();
+        let zero: Vec<usize> =
+            levels(record).filter(|(level, l)| is_rounding(level, (term.value)(l))).map(|(l, _)| l.level).collect();
         if !zero.is_empty() {
-            remarks.push(format!("Not drawn: {} is zero on {}.", term.words, format::level_words(&zero)));
+            remarks.push(format!("Not drawn, zero or rounding: {} on {}.", term.words, format::level_words(&zero)));
         }
     }
     remarks

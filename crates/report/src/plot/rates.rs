@@ -2,10 +2,12 @@
 
 use super::chart::{Band, Chart, Colour, Curve, Mark, MarkKind, Shape, Slope};
 use crate::format;
-use crate::norm::{NORMS, Norm, judged_rate};
+use crate::markdown;
+use crate::norm::{self, NORMS, Norm, Trust, judged_rate};
 use crate::summary::name;
 use crate::verdict;
-use signorini_study::record::{Level, StudyRecord};
+use signorini_study::rate;
+use signorini_study::record::{Level, Rate, Reference, StudyRecord};
 
 /// Errors against `h`: the strain seminorm, the energy norm and the norm that the claim judges drawn strong, `H¹` and
 /// `L²` thin; the fitted line of the judged norm with its 95 % band; the bounds as slope triangles.
@@ -22,12 +24,20 @@ pub fn rates(record: &StudyRecord) -> Option<Chart> {
         title: name(record),
         subtitle: vec![record.title.clone(), outcome(record)],
         x_label: "mesh size h (largest side)".into(),
-        y_label: "error norms, e = u − uₕ".into(),
+        y_label: y_label(record),
         bands: judged_curve.iter().filter_map(|c| band(record, c.colour)).collect(),
         slopes: if judged_curve.is_some_and(|c| c.has_slope()) { slopes(record) } else { Vec::new() },
         curves,
         remarks: remarks(record),
     })
+}
+
+fn y_label(record: &StudyRecord) -> String {
+    match record.reference {
+        Reference::Exact => "error norms, e = u − uₕ".into(),
+        Reference::Overkill { .. } => "error norms, e = u − uₕ, u the reference solution".into(),
+        Reference::None => norm::words(&record.norm),
+    }
 }
 
 /// The curve of one norm, if the picture shows it and it has a value.
@@ -45,7 +55,7 @@ fn curve(record: &StudyRecord, norm: &Norm) -> Option<Curve> {
     let rate = record.rates.get(norm.key);
     (!marks.is_empty()).then(|| Curve {
         label: norm.label(),
-        detail: rate.map_or_else(String::new, |r| format::interval(r.slope, r.low, r.high)),
+        detail: rate.map_or_else(String::new, detail),
         colour,
         shape,
         strong: judged || matches!(norm.key, "strain" | "energy"),
@@ -53,6 +63,18 @@ fn curve(record: &StudyRecord, norm: &Norm) -> Option<Curve> {
         marks,
     })
 }
+
+/// The rate under a curve's name, starred where it is not asymptotic.
+fn detail(rate: &Rate) -> String {
+    match Trust::of(rate) {
+        Trust::Settled => format::interval(rate.slope, rate.low, rate.high),
+        Trust::Drifting => format!("{}{STAR}", format::interval(rate.slope, rate.low, rate.high)),
+        Trust::Scattered => "no rate".into(),
+    }
+}
+
+/// Marks a rate that is not asymptotic.
+const STAR: &str = "*";
 
 fn mark(level: &Level, norm: &Norm) -> Option<Mark> {
     let kind = kind(level, norm.value(level)?);
@@ -101,24 +123,29 @@ fn slopes(record: &StudyRecord) -> Vec<Slope> {
     slopes
 }
 
-/// `observed 0.998 [0.994, 1.002] on levels 2–6 · paper 1 · today 1 · expected 1 · pass`
+/// `observed 0.998 [0.994, 1.002] on levels 2–6 · paper 1 · today 1 · expected 1 · pass`; bounds that there are.
 fn outcome(record: &StudyRecord) -> String {
     let observed = judged_rate(record).map_or_else(
-        || "no fitted rate".into(),
-        |r| {
-            let interval = format::interval(r.slope, r.low, r.high);
-            format!("observed {interval} on levels {}", format::levels(&r.levels))
-        },
+        || markdown::kind_words(record.kind).into(),
+        |r| format!("observed {} on {}", detail(r), format::level_words(&r.levels)),
     );
     let bounds = &record.bounds;
-    let shown = [("paper", bounds.paper), ("today", bounds.today), ("expected", bounds.expected)]
-        .map(|(words, value)| format!("{words} {}", value.map_or(format::MISSING.into(), format::bound)));
-    format!("{observed} · {} · {}", shown.join(" · "), verdict::words(record))
+    let bounds = [("paper", bounds.paper), ("today", bounds.today), ("expected", bounds.expected)];
+    let shown = bounds.iter().filter_map(|(words, value)| value.map(|b| format!("{words} {}", format::bound(b))));
+    let verdict = [verdict::words(record)];
+    [observed].into_iter().chain(shown).chain(verdict).collect::<Vec<_>>().join(" · ")
 }
 
 /// What the picture leaves out or greys, in words.
 fn remarks(record: &StudyRecord) -> Vec<String> {
     let mut remarks = excluded(record);
+    let shown = NORMS.iter().filter(|n| curve(record, n).is_some()).filter_map(|n| record.rates.get(n.key));
+    if shown.map(Trust::of).any(|t| t == Trust::Drifting) {
+        remarks.push(format!("{STAR} Not asymptotic: the pairwise rates still drift."));
+    }
+    if record.levels.iter().any(rate::is_rounding) {
+        remarks.push("Rounding: the energy error is below 1e-11 of the solution's energy norm.".into());
+    }
     let Some(norm) = NORMS.iter().find(|n| n.key == record.norm) else {
         return remarks;
     };

@@ -59,7 +59,7 @@ impl Table {
 ///
 /// # Errors
 /// [`ReportError::Json`] if serialisation fails.
-pub fn json_text<T: serde::Serialize>(value: &T) -> Result<Vec<u8>, ReportError> {
+pub fn json_text(value: &Value) -> Result<Vec<u8>, ReportError> {
     let mut bytes = serde_json::to_vec_pretty(value)?;
     bytes.push(b'\n');
     Ok(bytes)

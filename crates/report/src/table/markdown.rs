@@ -5,6 +5,11 @@ use super::{Row, Table};
 impl Table {
     /// A Markdown table. A row that does not count is set in italics and marked `†`, its reason below the table.
     pub fn to_markdown(&self) -> String {
+        self.to_markdown_above(&self.footnotes())
+    }
+
+    /// The same with other words below the table.
+    pub fn to_markdown_above(&self, notes: &str) -> String {
         let headings = self.columns.iter().map(|c| escape(&c.heading)).collect();
         let rules =
             (0..self.columns.len()).map(|c| if self.column_is_words(c) { "---" } else { "---:" }.to_string()).collect();
@@ -12,7 +17,7 @@ impl Table {
         for row in &self.rows {
             out += &line(cells(row));
         }
-        out + &self.footnotes()
+        out + notes
     }
 
     fn footnotes(&self) -> String {

@@ -87,6 +87,7 @@ fn level(k: usize, errors: impl Fn(f64) -> Errors) -> Level {
     let h = std::f64::consts::SQRT_2 / n as f64;
     Level {
         level: k,
+        cells: n,
         h,
         min_angle: 45.0,
         side_ratio: std::f64::consts::SQRT_2,
@@ -110,7 +111,10 @@ fn level(k: usize, errors: impl Fn(f64) -> Errors) -> Level {
             iterations: 4 + k,
             factorizations: 1,
         },
+        warnings: Vec::new(),
         excluded: None,
+        solution_energy: Some(1.0),
+        solution_trace: Some(1.0),
     }
 }
 
@@ -128,6 +132,7 @@ pub fn rate(levels: &[Level], c: f64, p: f64) -> Rate {
         r2: 0.99999,
         curvature: 0.0007,
         dofs_slope: p,
+        asymptotic: true,
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::parameters::{Parameter, Values};
 use super::{CornerPatch, Exact, ManySwitches, Natural, Polynomial, PowerLaw, Tiles};
-use crate::expr::nearest;
+use crate::nearest::nearest;
 use signorini_contact::material::Lame;
 use std::collections::BTreeMap;
 use std::sync::Arc;

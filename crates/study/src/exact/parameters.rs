@@ -1,6 +1,6 @@
 //! Parameters of built-in solutions: known names, defaults and ranges.
 
-use crate::expr::nearest;
+use crate::nearest::nearest;
 use std::collections::BTreeMap;
 
 /// What a parameter means and may be.

@@ -25,7 +25,6 @@
 mod error;
 mod functions;
 mod lexer;
-mod nearest;
 mod parser;
 mod scalar;
 #[cfg(test)]
@@ -33,7 +32,6 @@ mod tests;
 mod tree;
 
 pub use error::ExprError;
-pub use nearest::nearest;
 pub use scalar::{Real, atan2, positive_power, power, sqrt};
 
 use std::collections::BTreeMap;

@@ -34,11 +34,6 @@ pub fn text(case: &Case, layer: &Layer<'_>, claim: &Claim) -> String {
     lines.0
 }
 
-/// FNV-1a, 64 bits.
-pub fn fnv1a(bytes: &[u8]) -> u64 {
-    bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3))
-}
-
 struct Lines(String);
 
 impl Lines {
@@ -82,17 +77,4 @@ fn points(points: &[Point]) -> String {
 
 fn law(material: &Material) -> String {
     format!("{:?}", material.matrix())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::fnv1a;
-
-    #[test]
-    fn the_hash_is_the_published_one() {
-        // Test vectors of Fowler, Noll and Vo.
-        assert_eq!(fnv1a(b""), 0xcbf2_9ce4_8422_2325);
-        assert_eq!(fnv1a(b"a"), 0xaf63_dc4c_8601_ec8c);
-        assert_eq!(fnv1a(b"foobar"), 0x8594_4171_f739_67e8);
-    }
 }

@@ -31,6 +31,7 @@ pub use error::{Position, StudyError};
 pub use library::{Group, Library, LibraryError, Source, find_studies};
 
 use crate::study::{Case, Study};
+use signorini_contact::mesh::fnv1a;
 use std::path::Path;
 
 impl Study {
@@ -61,6 +62,6 @@ impl Case {
     /// 16 hex digits that change whenever anything changes that can move a number or the verdict: the FNV-1a hash of
     /// [`Case::canonical`].
     pub fn fingerprint(&self) -> String {
-        format!("{:016x}", canonical::fnv1a(self.canonical.as_bytes()))
+        format!("{:016x}", fnv1a(self.canonical.as_bytes()))
     }
 }

@@ -2,7 +2,7 @@
 
 use super::error::Fault;
 use super::raw::RawStudy;
-use crate::expr::nearest;
+use crate::nearest::nearest;
 
 /// The tables of the text.
 pub fn tables(text: &str) -> Result<RawStudy, Fault> {

@@ -1,7 +1,7 @@
 //! Names: which are allowed, and which was probably meant.
 
 use super::error::{Fault, refuse};
-use crate::expr::nearest;
+use crate::nearest::nearest;
 use std::ops::Range;
 
 /// `did you mean …?` if a candidate is near, else the list of all.

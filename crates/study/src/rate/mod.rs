@@ -20,7 +20,7 @@ pub mod student;
 mod window;
 
 pub use guard::{NoFit, check};
-pub use of_levels::{all, fit_levels, points, rounding_floor};
+pub use of_levels::{ROUNDING, all, fit_levels, is_rounding, points, rounding_floor};
 
 use crate::record::Rate;
 use line::Line;

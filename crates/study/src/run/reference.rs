@@ -1,30 +1,23 @@
 //! The discrete reference in a record: what it is, and how much of the measured errors is its own.
 
-use super::level::Task;
+use super::level::{Task, certificate};
 use crate::error::RunError;
 use crate::rate;
 use crate::record::{Level, Reference};
 use crate::reference::overkill::Overkill;
 use crate::study::{Case, ReferencePlan};
-use signorini_contact::qp;
 
 /// The entry of the record.
 pub fn describe(case: &Case, overkill: Option<&Overkill>, task: &Task) -> Reference {
     let Some(overkill) = overkill else {
         return if case.reference == ReferencePlan::Exact { Reference::Exact } else { Reference::None };
     };
-    let raw = &overkill.solution.raw;
-    let scales = qp::CertificateScales {
-        displacement: overkill.solution.displacement.iter().map(|u| u.amax()).fold(0.0, f64::max),
-        energy: overkill.solution.strain_energy,
-    };
-    let certificate = qp::certify(&overkill.discrete.qp, &raw.x, &raw.multipliers, &scales);
     Reference::Overkill {
         h: overkill.hierarchy.finest().quality().h,
         dofs: overkill.discrete.dofs(),
         energy: overkill.solution.energy,
         estimated_error: None,
-        stationarity: certificate.stationarity,
+        stationarity: certificate(&overkill.discrete, &overkill.solution).stationarity,
         solver: task.settings.method.name().to_owned(),
     }
 }

@@ -5,12 +5,12 @@ use std::fs::{self, File};
 use std::io::Write;
 use std::path::Path;
 
-/// Writes `text` to `path`: into a temporary file of the same folder, to the disk, then under its name. A reader sees the
+/// Writes `contents`, text or bytes, to `path`: into a temporary file of the same folder, to the disk, then under its name. A reader sees the
 /// old file or the new one. Creates missing folders.
 ///
 /// # Errors
 /// [`StoreError::Io`]; the old file then stays as it was.
-pub fn write_atomic(path: &Path, text: &str) -> Result<(), StoreError> {
+pub fn write_atomic(path: &Path, contents: impl AsRef<[u8]>) -> Result<(), StoreError> {
     let folder = path.parent().unwrap_or(Path::new(""));
     if !folder.as_os_str().is_empty() {
         fs::create_dir_all(folder).map_err(StoreError::io(folder))?;
@@ -18,7 +18,7 @@ pub fn write_atomic(path: &Path, text: &str) -> Result<(), StoreError> {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     // the process id keeps two programs that write the same file apart
     let temporary = folder.join(format!(".{name}.{}.tmp", std::process::id()));
-    let written = write_through(&temporary, text).and_then(|()| fs::rename(&temporary, path));
+    let written = write_through(&temporary, contents.as_ref()).and_then(|()| fs::rename(&temporary, path));
     written.map_err(|source| {
         // the first error is the one to report; the leftover may not even exist
         let _ = fs::remove_file(&temporary);
@@ -26,9 +26,20 @@ pub fn write_atomic(path: &Path, text: &str) -> Result<(), StoreError> {
     })
 }
 
-fn write_through(path: &Path, text: &str) -> std::io::Result<()> {
+/// Removes what an earlier run left at `path`; no file is no error.
+///
+/// # Errors
+/// [`StoreError::Io`] if the file is there and stays.
+pub fn remove_if_present(path: &Path) -> Result<(), StoreError> {
+    match fs::remove_file(path) {
+        Err(e) if e.kind() != std::io::ErrorKind::NotFound => Err(StoreError::io(path)(e)),
+        _ => Ok(()),
+    }
+}
+
+fn write_through(path: &Path, contents: &[u8]) -> std::io::Result<()> {
     let mut file = File::create(path)?;
-    file.write_all(text.as_bytes())?;
+    file.write_all(contents)?;
     file.sync_all()
 }
 

@@ -15,7 +15,7 @@ mod drift;
 mod records;
 mod summary;
 
-pub use atomic::write_atomic;
+pub use atomic::{remove_if_present, write_atomic};
 pub use baseline::Baseline;
 pub use drift::drift;
 pub use records::{read_record, read_records, record_folder, write_record};

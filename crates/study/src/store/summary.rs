@@ -1,9 +1,9 @@
 //! `summary.json`: one row per case.
 
 use super::{StoreError, read_json, write_json};
-use crate::record::{Outcome, Reference, StudyRecord};
+use crate::record::{Outcome, StudyRecord};
 use serde::{Deserialize, Serialize};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// A case in one row. Rates and bounds are those of the norm that the claim judges.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -36,6 +36,8 @@ pub struct SummaryRow {
     pub outcome: Outcome,
     /// What a control expects.
     pub expect: Option<Outcome>,
+    /// Why an inconclusive verdict is expected at this profile's sizes.
+    pub expected_inconclusive: Option<String>,
     /// Why, most important first.
     pub reasons: Vec<String>,
 }
@@ -48,7 +50,7 @@ impl From<&StudyRecord> for SummaryRow {
             case: r.case.clone(),
             claim: r.claim.clone(),
             family: r.family.clone(),
-            reference: reference(&r.reference).into(),
+            reference: r.reference.name().into(),
             norm: r.norm.clone(),
             rate: rate.map(|f| f.slope),
             low: rate.map(|f| f.low),
@@ -58,26 +60,21 @@ impl From<&StudyRecord> for SummaryRow {
             expected: r.bounds.expected,
             outcome: r.verdict.outcome,
             expect: r.expect,
+            expected_inconclusive: r.expected_inconclusive.clone(),
             reasons: r.verdict.reasons.clone(),
         }
     }
 }
 
-fn reference(reference: &Reference) -> &'static str {
-    match reference {
-        Reference::Exact => "exact",
-        Reference::Overkill { .. } => "overkill",
-        Reference::None => "none",
-    }
-}
-
-/// Writes `summary.json` in `folder`, a row per record in the order given.
+/// Writes `summary.json` in `folder`, a row per record in the order given, and returns the file.
 ///
 /// # Errors
 /// [`StoreError`] where a number is not finite or the file cannot be written.
-pub fn write_summary(folder: &Path, records: &[StudyRecord]) -> Result<(), StoreError> {
+pub fn write_summary(folder: &Path, records: &[StudyRecord]) -> Result<PathBuf, StoreError> {
     let rows: Vec<SummaryRow> = records.iter().map(SummaryRow::from).collect();
-    write_json(&folder.join("summary.json"), &rows)
+    let path = folder.join("summary.json");
+    write_json(&path, &rows)?;
+    Ok(path)
 }
 
 /// Reads `summary.json` of `folder`.
@@ -101,6 +98,7 @@ mod tests {
         let mut unfitted = sample::record("b", "structured", sample::levels(2, |h| h));
         unfitted.verdict.outcome = Outcome::Inconclusive;
         unfitted.expect = Some(Outcome::Inconclusive);
+        unfitted.expected_inconclusive = Some("two levels".into());
         write_summary(&scratch.0, &[fitted.clone(), unfitted]).unwrap();
         let rows = read_summary(&scratch.0).unwrap();
         assert_eq!(rows.len(), 2);
@@ -108,5 +106,6 @@ mod tests {
         assert_eq!((rows[0].reference.as_str(), rows[0].paper), ("exact", Some(1.0)));
         assert_eq!((rows[1].case.as_str(), rows[1].rate, rows[1].low), ("structured", None, None));
         assert_eq!((rows[1].outcome, rows[1].expect), (Outcome::Inconclusive, Some(Outcome::Inconclusive)));
+        assert_eq!(rows[1].expected_inconclusive.as_deref(), Some("two levels"));
     }
 }

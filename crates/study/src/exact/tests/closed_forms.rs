@@ -255,7 +255,11 @@ fn what_quadrature_must_know_is_declared() {
     for (a, b) in xs.iter().zip(expected) {
         assert!((a - b).abs() < 1e-15);
     }
-    assert_eq!(many.break_lines().len(), 5);
+    // the switch points, and the two edges y = ±1/N of the strip that carries the cells
+    let breaks = many.break_lines();
+    assert_eq!(breaks.len(), 2 + 5);
+    let edges: Vec<f64> = breaks.iter().filter(|l| l.a.y == l.b.y).map(|l| l.a.y).collect();
+    assert_eq!(edges, [1.0 / 3.0, -1.0 / 3.0]);
     let tiles = made("tiles", &[("tiles", 3.0)], PAIRS[0]);
     assert_eq!(tiles.break_lines().len(), 7);
     assert_eq!(tiles.switch_points().len(), 6);

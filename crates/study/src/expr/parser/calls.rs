@@ -2,9 +2,9 @@
 
 use super::super::ExprError;
 use super::super::functions::{CONSTANTS, Callable, FUNCTIONS};
-use super::super::nearest::nearest;
 use super::super::tree::{Condition, Node};
 use super::{Item, Parsed, Parser, folded, raised};
+use crate::nearest::nearest;
 
 impl Parser<'_> {
     pub(super) fn name(&mut self, name: &str) -> Parsed<Node> {

@@ -11,13 +11,14 @@
 //! must then be admissible. The other rows become the first unknowns; the basis is completed greedily by the
 //! components of `d`, then of `u''`, then of `u'`. So a pair clamped in `Ω''` keeps `x = d = u'`.
 
-use crate::geometry::{Vec2, tangent_of};
-use crate::zone::{Constraint, ContactPair};
-use crate::{Error, qp::Bound};
-use nalgebra::{DMatrix, DVector};
+mod choose;
+#[cfg(test)]
+mod tests;
 
-/// A row of `∂(n·d)/∂z` shorter than this vanishes.
-const NO_ROW: f64 = 1e-10;
+use crate::geometry::{Vec2, tangent_of};
+use crate::zone::ContactPair;
+use crate::{Error, qp::Bound};
+use choose::choose_basis;
 
 /// What a node may do: the orthonormal directions left free and the prescribed displacement.
 #[derive(Clone, Debug, PartialEq)]
@@ -164,141 +165,6 @@ impl Basis {
     }
 }
 
-/// The rows of `x = rows · z`, the bounds `(row, upper, constraint)`, and which coordinates `z` stands for.
-struct Chosen {
-    rows: DMatrix<f64>,
-    bounds: Vec<(usize, f64, usize)>,
-}
-
-fn choose_basis(pair: &ContactPair, supports: [&NodeSupport; 2]) -> Result<Chosen, Error> {
-    let free = supports[0].free.len() + supports[1].free.len();
-    let mut rows: Vec<DVector<f64>> = Vec::with_capacity(4);
-    let mut bounds: Vec<(usize, f64, usize)> = Vec::new();
-    let fixed_jump = supports[0].offset - supports[1].offset;
-    for (k, c) in pair.constraints.iter().enumerate() {
-        let row = jump_row(c.normal, supports);
-        let upper = c.gap - c.normal.dot(&fixed_jump);
-        if row.norm() < NO_ROW {
-            refuse_inadmissible(c, upper, fixed_jump.norm())?;
-        } else if is_independent(&rows, &row) {
-            bounds.push((rows.len(), upper, k));
-            rows.push(row);
-        } else {
-            merge_bound(&rows[0], &row, upper, k, &mut bounds)?;
-        }
-    }
-    let normal = pair.constraints[0].normal;
-    let coordinates = (0..free).rev().map(|k| DVector::from_fn(free, |i, _| f64::from(u8::from(i == k))));
-    // Greedy completion: the jump's tangential and normal part, then u'' (the later coordinates) in order, then u'.
-    let second = supports[0].free.len();
-    let mut candidates: Vec<DVector<f64>> = vec![jump_row(tangent_of(normal), supports), jump_row(normal, supports)];
-    let all: Vec<_> = coordinates.collect();
-    candidates.extend((second..free).map(|k| all[free - 1 - k].clone()));
-    candidates.extend((0..second).map(|k| all[free - 1 - k].clone()));
-    for candidate in candidates {
-        if rows.len() < free && candidate.norm() > NO_ROW && is_independent(&rows, &candidate) {
-            rows.push(candidate);
-        }
-    }
-    let matrix = DMatrix::from_fn(rows.len(), free, |i, j| rows[i][j]);
-    Ok(Chosen { rows: matrix, bounds })
-}
-
-impl Chosen {
-    /// `T` and its left inverse in the components of the two nodes' displacements.
-    fn block(&self, nodes: [u32; 2], supports: [&NodeSupport; 2]) -> Result<PairBlock, Error> {
-        let free = self.rows.ncols();
-        let directions: Vec<(usize, Vec2)> =
-            (0..2).flat_map(|body| supports[body].free.iter().map(move |&f| (2 * body, f))).collect();
-        // F: z → (u', u''), with orthonormal columns.
-        let f = DMatrix::from_fn(4, free, |i, j| {
-            let (top, direction) = directions[j];
-            if i == top {
-                direction.x
-            } else if i == top + 1 {
-                direction.y
-            } else {
-                0.0
-            }
-        });
-        let inverse = self.rows.clone().try_inverse().filter(|_| self.rows.nrows() == free).ok_or_else(|| {
-            Error::Boundary(format!(
-                "contact pair of nodes {} and {}: its change of basis is singular",
-                nodes[0], nodes[1]
-            ))
-        })?;
-        let (t, r) = (&f * inverse, &self.rows * f.transpose());
-        let mut block = PairBlock { nodes, t: [[0.0; 4]; 4], r: [[0.0; 4]; 4] };
-        for i in 0..4 {
-            for j in 0..free {
-                block.t[i][j] = t[(i, j)];
-                block.r[j][i] = r[(j, i)];
-            }
-        }
-        Ok(block)
-    }
-}
-
-/// `∂(m·d)/∂z` for a direction `m`.
-fn jump_row(m: Vec2, supports: [&NodeSupport; 2]) -> DVector<f64> {
-    let first = supports[0].free.iter().map(|f| m.dot(f));
-    let second = supports[1].free.iter().map(|f| -m.dot(f));
-    DVector::from_iterator(supports[0].free.len() + supports[1].free.len(), first.chain(second))
-}
-
-/// Whether `row` keeps a share of its length after projection off the span of `rows`.
-fn is_independent(rows: &[DVector<f64>], row: &DVector<f64>) -> bool {
-    let mut basis: Vec<DVector<f64>> = Vec::with_capacity(rows.len());
-    for r in rows.iter().chain(std::iter::once(row)) {
-        let mut rest = r.clone();
-        // Twice is enough for orthogonality to rounding.
-        for _ in 0..2 {
-            for b in &basis {
-                rest -= b * b.dot(&rest);
-            }
-        }
-        let length = rest.norm();
-        if length < crate::zone::SAME_NORMAL * r.norm() {
-            return false;
-        }
-        basis.push(rest / length);
-    }
-    true
-}
-
-fn refuse_inadmissible(c: &Constraint, upper: f64, size: f64) -> Result<(), Error> {
-    if upper >= -1e-12 * (1.0 + size) {
-        return Ok(());
-    }
-    Err(Error::Boundary(format!(
-        "the prescribed displacements of a contact pair penetrate by {:.3e} along the normal ({}, {}) and no free component \
-         can change that; make the data on both bodies admissible there",
-        -upper, c.normal.x, c.normal.y
-    )))
-}
-
-/// Two constraints on one scalar: the tighter bound stays. Opposite ones would bound it from both sides.
-fn merge_bound(
-    row: &DVector<f64>,
-    other: &DVector<f64>,
-    upper: f64,
-    k: usize,
-    bounds: &mut [(usize, f64, usize)],
-) -> Result<(), Error> {
-    let ratio = row.dot(other) / row.norm_squared();
-    if ratio < 0.0 {
-        return Err(Error::Boundary(
-            "a contact corner is held by its supports so that its two constraints bound one component from both sides; \
-             move the corner off the support or support both bodies there"
-                .into(),
-        ));
-    }
-    if upper / ratio < bounds[0].1 {
-        bounds[0] = (bounds[0].0, upper / ratio, k);
-    }
-    Ok(())
-}
-
 /// The scalar components of `x` that belong to a pair: node `a`'s, then node `b`'s.
 fn slots_of(nodes: [u32; 2]) -> [usize; 4] {
     let [a, b] = nodes.map(|i| i as usize);
@@ -322,7 +188,3 @@ fn times(b: &[f64; 4], x: Vec2) -> Vec2 {
 fn block_of(x: &[f64], slot: u32) -> Vec2 {
     Vec2::new(x[2 * slot as usize], x[2 * slot as usize + 1])
 }
-
-#[cfg(test)]
-#[path = "basis_tests.rs"]
-mod tests;

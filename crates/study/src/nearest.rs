@@ -1,7 +1,7 @@
 //! The known name that is nearest to a mistyped one.
 
 /// The candidate with the fewest edits from `name`, if it is near enough to be what was meant; the first of equals.
-pub fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+pub(crate) fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let limit = (name.chars().count() / 2).clamp(1, 2);
     candidates
         .into_iter()
@@ -12,7 +12,7 @@ pub fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) ->
 }
 
 /// The fewest insertions, deletions, replacements and swaps of neighbours that turn `a` into `b`, case ignored.
-fn edits(a: &str, b: &str) -> usize {
+pub(crate) fn edits(a: &str, b: &str) -> usize {
     let a: Vec<char> = a.to_lowercase().chars().collect();
     let b: Vec<char> = b.to_lowercase().chars().collect();
     let mut d = vec![vec![0; b.len() + 1]; a.len() + 1];
@@ -37,9 +37,14 @@ mod tests {
 
     #[test]
     fn edits_count_swaps_as_one() {
-        for (a, b, n) in
-            [("sin", "sin", 0), ("sni", "sin", 1), ("", "abc", 3), ("sqr", "sqrt", 1), ("Alpha", "beta", 4)]
-        {
+        for (a, b, n) in [
+            ("sin", "sin", 0),
+            ("sni", "sin", 1),
+            ("", "abc", 3),
+            ("sqr", "sqrt", 1),
+            ("Alpha", "beta", 4),
+            ("kitten", "sitting", 3),
+        ] {
             assert_eq!(edits(a, b), n, "{a} {b}");
             assert_eq!(edits(b, a), n, "{b} {a}");
         }

@@ -1,4 +1,7 @@
+//! Whatever holds the two nodes of a pair, its constraints are kept, or dropped by the rule.
+
 use super::*;
+use crate::zone::Constraint;
 
 fn pair(normals: &[Vec2]) -> ContactPair {
     let constraint = |n: &Vec2| Constraint { normal: n.normalize(), gap: 0.25, mass: 1.0, side: 0 };

@@ -1,0 +1,50 @@
+//! The rules: nodes and weights on one triangle and on one side.
+
+use crate::geometry::{Point, twice_area};
+
+/// The 7-point rule of degree 5 (Radon 1948): the centroid and two orbits at `(6 ∓ √15)/21`.
+pub fn seven_points(t: [Point; 3], visit: &mut impl FnMut(Point, f64)) {
+    let area = 0.5 * twice_area(t[0], t[1], t[2]).abs();
+    let centroid = (t[0] + t[1] + t[2]) / 3.0;
+    visit(centroid, 9.0 / 40.0 * area);
+    let root = f64::sqrt(15.0);
+    for (a, w) in [((6.0 - root) / 21.0, (155.0 - root) / 1200.0), ((6.0 + root) / 21.0, (155.0 + root) / 1200.0)] {
+        // Barycentric (1−2a, a, a) = centroid + (1−3a)(corner − centroid).
+        for corner in t {
+            visit(centroid + (1.0 - 3.0 * a) * (corner - centroid), w * area);
+        }
+    }
+}
+
+/// The conical product of two Gauss–Legendre rules of 6 points, exact to degree 10: for integrands that one rule of
+/// degree 5 does not resolve. `x = a + s((b − a) + t(c − b))`, Jacobian `2|T| s`.
+pub fn conical_points([a, b, c]: [Point; 3], visit: &mut impl FnMut(Point, f64)) {
+    let twice = twice_area(a, b, c).abs();
+    for (s, ws) in SIX_POINTS {
+        for (t, wt) in SIX_POINTS {
+            visit(a + s * ((b - a) + t * (c - b)), twice * s * ws * wt);
+        }
+    }
+}
+
+/// Nodes and weights of the Gauss–Legendre rule of 6 points on `(0, 1)`.
+const SIX_POINTS: [(f64, f64); 6] = [
+    (0.033_765_242_898_423_99, 0.085_662_246_189_585_17),
+    (0.169_395_306_766_867_74, 0.180_380_786_524_069_3),
+    (0.380_690_406_958_401_56, 0.233_956_967_286_345_52),
+    (0.619_309_593_041_598_4, 0.233_956_967_286_345_52),
+    (0.830_604_693_233_132_3, 0.180_380_786_524_069_3),
+    (0.966_234_757_101_576, 0.085_662_246_189_585_17),
+];
+
+/// The Gauss–Legendre rule of 5 points.
+pub(super) fn five_points(a: Point, b: Point, visit: &mut impl FnMut(Point, f64)) {
+    let (middle, half) = (0.5 * (a + b), 0.5 * (b - a));
+    let length = half.norm();
+    visit(middle, 128.0 / 225.0 * length);
+    let (r, s) = (2.0 * f64::sqrt(10.0 / 7.0), 13.0 * f64::sqrt(70.0));
+    for (x, w) in [((5.0 - r).sqrt() / 3.0, (322.0 + s) / 900.0), ((5.0 + r).sqrt() / 3.0, (322.0 - s) / 900.0)] {
+        visit(middle - x * half, w * length);
+        visit(middle + x * half, w * length);
+    }
+}

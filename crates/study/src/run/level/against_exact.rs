@@ -1,0 +1,66 @@
+//! A solved level against the exact solution: errors, ledger and budget.
+
+use super::parts::{differences, dual_norm, ledger, relative_difference, set_errors, share};
+use super::{Solved, Task};
+use crate::record::{Budget, Ledger, Level};
+use crate::reference::exact::Integrals;
+use crate::run::contact::{self, ContactErrors};
+use signorini_contact::mesh::Mesh;
+use signorini_contact::norm::Squares;
+use signorini_contact::{Vec2, qp};
+
+/// Everything that turns a solved level into errors against the exact solution.
+pub(super) struct ExactMeasurement<'a> {
+    pub task: &'a Task<'a>,
+    pub mesh: &'a Mesh,
+    pub base: &'a Integrals,
+    pub fine: &'a Integrals,
+    pub interpolant: &'a [Vec2],
+    pub solved: &'a Solved,
+}
+
+impl ExactMeasurement<'_> {
+    pub fn fill(&self, level: &mut Level, contact: &ContactErrors) {
+        let materials = &self.task.case.scene.materials;
+        let (discrete, solution) = (&self.solved.discrete, &self.solved.solution);
+        let d = differences(self.interpolant, &solution.displacement);
+        let (base, fine) = (self.base.error(self.mesh, materials, &d), self.fine.error(self.mesh, materials, &d));
+        set_errors(
+            &mut level.errors,
+            &fine,
+            contact,
+            self.fine.interpolation.energy_norm(),
+            solution.energy - self.fine.energy,
+        );
+        level.switch_sides = Some(contact.switch_sides);
+        let (by_base, by_fine) = (self.error_from_energies(self.base), self.error_from_energies(self.fine));
+        level.two_way = relative_difference(fine.energy, by_fine, self.fine.solution.energy);
+        let (e, size) = (fine.energy_norm(), self.fine.solution.energy_norm());
+        let load_change = dual_norm(discrete, &differences(&self.fine.load, &self.base.load));
+        let energy_change = (by_fine - by_base).abs() / (2.0 * e.max(f64::MIN_POSITIVE));
+        level.budget = Budget {
+            algebraic: share(qp::algebraic_error(&discrete.qp, &solution.raw.x, &solution.raw.multipliers), e, size),
+            quadrature: share(load_change + energy_change + (e - base.energy_norm()).abs(), e, size),
+            geometry: Some(0.0),
+            reference: Some(0.0),
+        };
+        level.ledger = Some(self.ledger(&base, &fine));
+    }
+
+    /// `A(e,e) = 2(L(u_h) − L(u)) − 2∫_{Γ_K} T_n [u_h]_n ds − 2∫_{Γ_u} τ(u)n·(u_h − u) ds`.
+    fn error_from_energies(&self, with: &Integrals) -> f64 {
+        let u = &self.solved.solution.displacement;
+        let work: f64 = with.load.iter().zip(u).map(|(f, u)| f.dot(u)).sum();
+        let energy = 0.5 * self.solved.solution.strain_energy - work;
+        2.0 * (energy - with.energy) - 2.0 * with.contact_work(&self.solved.state.jump) - 2.0 * with.reaction_work(u)
+    }
+
+    /// Theorem 3.1: `½A(e,e) ≤ ½A(u−u_I, u−u_I) + ∫ T_n [u_I]_n ds`.
+    fn ledger(&self, base: &Squares, fine: &Squares) -> Ledger {
+        let jump = contact::jumps(self.mesh, &self.solved.discrete.zone, self.interpolant);
+        let (b, b_base) = (self.fine.contact_work(&jump), self.base.contact_work(&jump));
+        let a = [self.base, self.fine].map(|i| 0.5 * i.interpolation.energy);
+        let delta = 0.5 * (fine.energy - base.energy).abs() + (a[1] - a[0]).abs() + (b - b_base).abs();
+        ledger(0.5 * fine.energy, a[1], b, delta, self.fine.solution.energy)
+    }
+}

@@ -1,0 +1,51 @@
+//! A solved level against a discrete reference on a nested finer mesh: errors, ledger and budget.
+
+use super::parts::{differences, dual_norm, ledger, relative_difference, set_errors, share};
+use super::{Solved, Task};
+use crate::record::{Budget, Level};
+use crate::reference::overkill::Overkill;
+use crate::run::contact::{self, ContactState};
+use signorini_contact::mesh::Mesh;
+use signorini_contact::{Vec2, qp};
+
+impl Task<'_> {
+    pub(super) fn fill_from_overkill(
+        &self,
+        level: &mut Level,
+        reference: &Overkill,
+        at: usize,
+        mesh: &Mesh,
+        solved: &Solved,
+        coarse_load: &[Vec2],
+    ) {
+        let materials = &self.case.scene.materials;
+        let (discrete, solution) = (&solved.discrete, &solved.solution);
+        let fine_mesh = reference.hierarchy.finest();
+        let v = reference.prolong(at, &solution.displacement);
+        let u_i = reference.prolong(at, reference.interpolant(at));
+        let error = reference.error(materials, &v);
+        let interpolation = reference.error(materials, &u_i);
+        let fine_state = ContactState::new(fine_mesh, &reference.discrete, &reference.solution);
+        let contact = contact::against_reference(mesh, &solved.state, fine_mesh, &fine_state);
+        let gap = solution.energy - reference.solution.energy;
+        set_errors(&mut level.errors, &error, &contact, interpolation.energy_norm(), gap);
+        level.switch_sides = Some(contact.switch_sides);
+        // A(e,e) = 2(L(u_h) − L(u_ref)) − 2 (A(u_ref,w) − f(w)),  w = u_h − u_ref
+        let by_energies = 2.0 * gap - 2.0 * reference.contact_work(&v);
+        level.two_way = relative_difference(error.energy, by_energies, reference.solution.strain_energy);
+        let b = reference.contact_work(&u_i);
+        let work = |load: &[Vec2], u: &[Vec2]| load.iter().zip(u).map(|(f, u)| f.dot(u)).sum::<f64>();
+        let load_gap = (work(&discrete.load, &solution.displacement) - work(&reference.discrete.load, &v)).abs();
+        let load_change = dual_norm(discrete, &differences(&discrete.load, coarse_load));
+        let delta = load_gap + 1e-14 * reference.solution.strain_energy;
+        level.ledger =
+            Some(ledger(0.5 * error.energy, 0.5 * interpolation.energy, b, delta, reference.solution.strain_energy));
+        let (e, size) = (error.energy_norm(), reference.solution.strain_energy.sqrt());
+        level.budget = Budget {
+            algebraic: share(qp::algebraic_error(&discrete.qp, &solution.raw.x, &solution.raw.multipliers), e, size),
+            quadrature: share(load_change + load_gap / e.max(f64::MIN_POSITIVE), e, size),
+            geometry: Some(0.0),
+            reference: None,
+        };
+    }
+}

@@ -1,0 +1,234 @@
+//! One level of a case: mesh, solve, measure.
+
+mod against_exact;
+mod against_overkill;
+mod parts;
+
+use super::contact::{self, ContactState};
+use super::timing::{LevelTimes, Stopwatch};
+use crate::error::RunError;
+use crate::family::{self, Level as MeshLevel};
+use crate::record::{Budget, Errors, Kkt, Level, SolverRecord};
+use crate::reference::exact::Pair;
+use crate::reference::overkill::Overkill;
+use crate::study::{Case, ExactScene};
+use against_exact::ExactMeasurement;
+use signorini_contact::mesh::Mesh;
+use signorini_contact::problem::{Discrete, Problem, Solution, Support};
+use signorini_contact::qp;
+use signorini_contact::quadrature::Cubature;
+use signorini_contact::solver::{Prepared, Settings};
+use signorini_contact::zone::{Zone, side_length};
+use signorini_contact::{Vec2, assembly};
+
+/// A solved level: what every measurement starts from.
+struct Solved {
+    discrete: Discrete,
+    solution: Solution,
+    state: ContactState,
+}
+
+/// What is being measured: a case at a list of mesh parameters.
+pub struct Task<'a> {
+    /// The case.
+    pub case: &'a Case,
+    /// Cells of every level, coarsest first.
+    pub cells: &'a [usize],
+    /// Solver settings, the study's or the command line's.
+    pub settings: Settings,
+    /// How the contact zone of a mesh is constrained: [`Zone::new`], unless a test plants a defect.
+    pub constrain: fn(&Mesh) -> Zone,
+}
+
+impl Task<'_> {
+    /// The mesh of a level.
+    fn mesh(&self, index: usize) -> Result<MeshLevel, RunError> {
+        let scene = &self.case.scene;
+        Ok(family::build_level(
+            &self.case.family,
+            &scene.bodies,
+            &scene.part_outlines(),
+            &scene.contact,
+            self.cells,
+            index,
+        )?)
+    }
+
+    /// Measures a level against the exact solution.
+    pub fn against_exact(&self, exact: &ExactScene, index: usize) -> Result<(Level, LevelTimes), RunError> {
+        let mut watch = Stopwatch::start();
+        let meshed = self.mesh(index)?;
+        let mesh = meshed.hierarchy.finest();
+        watch.lap(|t| &mut t.mesh);
+        let interpolant: Vec<Vec2> =
+            mesh.points.iter().zip(&mesh.node_bodies).map(|(x, body)| exact.solution.value(*body, *x)).collect();
+        let zone = Zone::new(mesh);
+        let fixed = self.case.fixed_quadrature;
+        let Pair { base, fine } = Pair::new(&self.case.scene, exact, mesh, &zone, &interpolant, fixed);
+        let cubature = self.case.scene.cubature(1, fixed);
+        let supports = self.case.scene.supports();
+        let problem = self.problem(mesh, &supports, &cubature);
+        let discrete = problem.discretise_zone(fine.load.clone(), (self.constrain)(mesh))?;
+        watch.lap(|t| &mut t.assembly);
+        let solved = self.solve(&problem, discrete, &mut watch);
+        let measured =
+            ExactMeasurement { task: self, mesh, base: &base, fine: &fine, interpolant: &interpolant, solved: &solved };
+        let contact = contact::against_exact(exact, mesh, &solved.discrete.zone, &solved.state, &cubature);
+        let mut level = self.level(index, &meshed, &solved);
+        measured.fill(&mut level, &contact);
+        watch.lap(|t| &mut t.error);
+        Ok((level, watch.finish()))
+    }
+
+    /// Measures a level against a discrete reference on a nested finer mesh; `at` is the level's place in its hierarchy.
+    pub fn against_overkill(
+        &self,
+        reference: &Overkill,
+        at: usize,
+        index: usize,
+    ) -> Result<(Level, LevelTimes), RunError> {
+        let mut watch = Stopwatch::start();
+        let meshed = self.mesh(index)?;
+        let mesh = meshed.hierarchy.finest();
+        watch.lap(|t| &mut t.mesh);
+        let supports = self.case.scene.supports();
+        let cubature = self.case.scene.cubature(0, self.case.fixed_quadrature);
+        let fine = cubature.finer();
+        let problem = self.problem(mesh, &supports, &fine);
+        let coarse_load = assembly::loads(mesh, &supports, &self.case.scene, &cubature)?;
+        let discrete = problem.discretise()?;
+        watch.lap(|t| &mut t.assembly);
+        let solved = self.solve(&problem, discrete, &mut watch);
+        let mut level = self.level(index, &meshed, &solved);
+        self.fill_from_overkill(&mut level, reference, at, mesh, &solved, &coarse_load);
+        watch.lap(|t| &mut t.error);
+        Ok((level, watch.finish()))
+    }
+
+    /// Solves a level and keeps energies and certificates alone.
+    pub fn without_reference(&self, index: usize) -> Result<(Level, LevelTimes), RunError> {
+        let mut watch = Stopwatch::start();
+        let meshed = self.mesh(index)?;
+        let mesh = meshed.hierarchy.finest();
+        watch.lap(|t| &mut t.mesh);
+        let supports = self.case.scene.supports();
+        let cubature = self.case.scene.cubature(1, self.case.fixed_quadrature);
+        let problem = self.problem(mesh, &supports, &cubature);
+        let discrete = problem.discretise()?;
+        watch.lap(|t| &mut t.assembly);
+        let solved = self.solve(&problem, discrete, &mut watch);
+        let level = self.level(index, &meshed, &solved);
+        Ok((level, watch.finish()))
+    }
+
+    /// Solves the reference on the finest mesh of a hierarchy.
+    pub fn overkill(&self, cells: usize) -> Result<(Overkill, LevelTimes), RunError> {
+        let mut watch = Stopwatch::start();
+        let scene = &self.case.scene;
+        let hierarchy = family::build_reference(
+            &self.case.family,
+            &scene.bodies,
+            &scene.part_outlines(),
+            &scene.contact,
+            self.cells,
+            cells,
+        )?;
+        watch.lap(|t| &mut t.mesh);
+        let supports = scene.supports();
+        let cubature = scene.cubature(0, self.case.fixed_quadrature);
+        let problem = self.problem(hierarchy.finest(), &supports, &cubature);
+        let discrete = problem.discretise()?;
+        watch.lap(|t| &mut t.assembly);
+        let solved = self.solve(&problem, discrete, &mut watch);
+        if !solved.solution.raw.status.is_solved() {
+            return Err(RunError::Reference(format!(
+                "the reference solve ended with '{}'",
+                solved.solution.raw.status
+            )));
+        }
+        let Solved { discrete, solution, .. } = solved;
+        Ok((Overkill { hierarchy, discrete, solution }, watch.finish()))
+    }
+
+    fn problem<'b>(&'b self, mesh: &'b Mesh, supports: &'b [Support], cubature: &'b Cubature) -> Problem<'b> {
+        let scene = &self.case.scene;
+        Problem { mesh, materials: scene.materials, supports, data: scene, cubature }
+    }
+
+    fn solve(&self, problem: &Problem, discrete: Discrete, watch: &mut Stopwatch) -> Solved {
+        let prepared = Prepared::new(&discrete.qp, self.settings.method);
+        watch.lap(|t| &mut t.setup);
+        let raw = prepared.solve(&self.settings);
+        watch.lap(|t| &mut t.solve);
+        let solution = discrete.recover(problem.mesh, &problem.materials, raw);
+        let state = ContactState::new(problem.mesh, &discrete, &solution);
+        Solved { discrete, solution, state }
+    }
+
+    fn solver_record(&self, solution: &Solution) -> SolverRecord {
+        let raw = &solution.raw;
+        SolverRecord {
+            name: self.settings.method.name().to_owned(),
+            status: raw.status.to_string(),
+            solved: raw.status.is_solved(),
+            iterations: raw.iterations,
+            factorizations: raw.factorizations,
+        }
+    }
+
+    /// The part of a record that needs no reference.
+    fn level(&self, index: usize, meshed: &MeshLevel, solved: &Solved) -> Level {
+        let Solved { discrete, solution, state } = solved;
+        let finest = meshed.hierarchy.finest();
+        Level {
+            level: index,
+            cells: self.cells[index],
+            h: meshed.quality.h,
+            min_angle: meshed.quality.min_angle,
+            side_ratio: meshed.quality.side_ratio,
+            nested: meshed.nested,
+            dofs: discrete.dofs(),
+            contact_pairs: discrete.zone.pairs.len(),
+            constraints: discrete.qp.bounds.len(),
+            active: state.active_constraints,
+            switch_sides: None,
+            energy: solution.energy,
+            solution_energy: Some(solution.strain_energy.sqrt()),
+            solution_trace: Some(largest_component(&solution.displacement) * zone_length(finest).sqrt()),
+            two_way: None,
+            mesh_hash: meshed.hash.clone(),
+            errors: Errors { penetration_l2: Some(state.penetration(finest)), ..Default::default() },
+            ledger: None,
+            kkt: certificate(discrete, solution),
+            budget: Budget::default(),
+            solver: self.solver_record(solution),
+            warnings: discrete.warnings.clone(),
+            excluded: None,
+        }
+    }
+}
+
+/// The certificate, recomputed from the raw data.
+pub(super) fn certificate(discrete: &Discrete, solution: &Solution) -> Kkt {
+    let scales = qp::CertificateScales {
+        displacement: largest_component(&solution.displacement),
+        energy: solution.strain_energy,
+    };
+    let c = qp::certify(&discrete.qp, &solution.raw.x, &solution.raw.multipliers, &scales);
+    Kkt {
+        stationarity: c.stationarity,
+        penetration: c.penetration,
+        tension: c.tension,
+        complementarity: c.complementarity,
+        weakly_active: c.weakly_active,
+    }
+}
+
+fn largest_component(displacement: &[Vec2]) -> f64 {
+    displacement.iter().map(|u| u.amax()).fold(0.0, f64::max)
+}
+
+/// The length of `Γ_K`.
+fn zone_length(mesh: &Mesh) -> f64 {
+    (0..mesh.contact.len()).map(|side| side_length(mesh, side)).sum()
+}
