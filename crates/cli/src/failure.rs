@@ -3,8 +3,8 @@
 use crate::args::COMMANDS;
 use signorini_report::ReportError;
 use signorini_study::error::RunError;
-use signorini_study::expr::nearest;
 use signorini_study::file::{LibraryError, StudyError};
+use signorini_study::nearest::nearest;
 use signorini_study::store::StoreError;
 use signorini_study::study::Study;
 use std::fmt;
@@ -82,10 +82,9 @@ impl From<StoreError> for Failure {
 
 impl From<ReportError> for Failure {
     fn from(e: ReportError) -> Self {
-        let what = e.to_string();
         match e {
-            ReportError::Io { .. } => Self::new(what, OTHER_FOLDER),
-            _ => Self { what, hint: None },
+            ReportError::Store(e) => Self::from(e),
+            other => Self { what: other.to_string(), hint: None },
         }
     }
 }

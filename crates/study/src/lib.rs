@@ -9,7 +9,7 @@ pub mod expr;
 pub mod family;
 pub mod file;
 mod finite;
-mod nearest;
+pub mod nearest;
 pub mod rate;
 pub mod record;
 pub mod reference;

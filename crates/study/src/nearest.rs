@@ -1,7 +1,7 @@
 //! The known name that is nearest to a mistyped one.
 
 /// The candidate with the fewest edits from `name`, if it is near enough to be what was meant; the first of equals.
-pub(crate) fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+pub fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let limit = (name.chars().count() / 2).clamp(1, 2);
     candidates
         .into_iter()

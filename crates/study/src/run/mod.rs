@@ -81,10 +81,10 @@ impl CaseRun {
     }
 }
 
-/// References larger than this, in cells per unit, are solved one at a time: two of them would not fit in memory.
-const LARGE_REFERENCE: usize = 512;
+/// Cases with a mesh larger than this, in cells per unit, run one at a time: two of them would not fit in memory.
+const LARGE: usize = 512;
 
-/// Calls `one` for every case of the studies, cases with large references one after the other and everything else side by
+/// Calls `one` for every case of the studies, cases with large meshes one after the other and everything else side by
 /// side. Results come study by study, in the order of the files.
 pub fn each_case<T: Send>(
     studies: &[Study],
@@ -92,7 +92,9 @@ pub fn each_case<T: Send>(
     one: impl Fn(&Study, &Case) -> T + Sync,
 ) -> Vec<Vec<T>> {
     let all: Vec<(&Study, &Case)> = studies.iter().flat_map(|s| s.cases.iter().map(move |c| (s, c))).collect();
-    let is_large = |case: &Case| matches!(reference_cells(case, settings), Some(n) if n > LARGE_REFERENCE);
+    let is_large = |case: &Case| {
+        cells_of(case, settings).iter().copied().chain(reference_cells(case, settings)).any(|n| n > LARGE)
+    };
     let large: Vec<Option<T>> = all.iter().map(|(study, case)| is_large(case).then(|| one(study, case))).collect();
     let side_by_side = all.par_iter().with_max_len(1).zip(large);
     let results: Vec<T> = side_by_side.map(|((s, c), known)| known.unwrap_or_else(|| one(s, c))).collect();
