@@ -1,0 +1,107 @@
+//! Every shipped study by two solvers; every certificate, ledger and self-check on every level.
+//!
+//! The levels are the coarsest ones and references are coarse too: what is asked here holds on every mesh.
+
+use signorini_study::file::library::shipped;
+use signorini_study::record::{Level, Reference, StudyRecord};
+use signorini_study::run::{Method, Profile, RunSettings, Unwatched, run_study};
+use signorini_study::study::{ReferencePlan, Study};
+
+/// Scaled residuals of the optimality conditions.
+const CERTIFIED: f64 = 1e-10;
+
+/// The standard studies with at most three levels and a reference four times finer than the last of them.
+fn coarse_studies() -> Vec<Study> {
+    let sources = shipped().select(&[]).expect("shipped studies");
+    let mut studies: Vec<Study> = sources.iter().map(|s| s.load().expect("a sound study")).collect();
+    for case in studies.iter_mut().flat_map(|s| &mut s.cases) {
+        case.quick.truncate(3);
+        if let ReferencePlan::Overkill { quick, .. } = &mut case.reference {
+            *quick = 4 * case.quick.last().expect("a level");
+        }
+    }
+    studies
+}
+
+fn run(study: &Study, solver: Option<Method>) -> Vec<StudyRecord> {
+    let settings = RunSettings { profile: Profile::Quick, levels: None, solver, partial: None };
+    run_study(study, &settings, &Unwatched).expect("a run").into_iter().map(|r| r.record).collect()
+}
+
+fn place(record: &StudyRecord, level: &Level) -> String {
+    format!("{}/{} by {}, level {}", record.study, record.case, level.solver.name, level.level)
+}
+
+/// Solved, certified, the inequality of the proof holds, and the error by quadrature is the error by energies.
+fn demand_soundness(record: &StudyRecord) {
+    for level in &record.levels {
+        let at = place(record, level);
+        assert!(level.solver.solved, "{at}: {}", level.solver.status);
+        let k = &level.kkt;
+        for residual in [k.stationarity, k.penetration, k.tension, k.complementarity] {
+            assert!(residual <= CERTIFIED, "{at}: {k:?}");
+        }
+        if record.reference != Reference::None {
+            let ledger = level.ledger.as_ref().unwrap_or_else(|| panic!("{at}: no ledger"));
+            assert_eq!(ledger.holds, Some(true), "{at}: {ledger:?}");
+            demand_two_ways(level, &at);
+        }
+    }
+}
+
+fn demand_two_ways(level: &Level, at: &str) {
+    // Where the error is rounding there is nothing to compare.
+    let Some(difference) = level.two_way else {
+        let error = level.errors.energy.expect("an error");
+        return assert!(error < 1e-6 * level.solution_energy.expect("a norm"), "{at}: {error:e}");
+    };
+    let b = &level.budget;
+    let rounding = 1e-11 * (level.solution_energy.expect("a norm") / level.errors.energy.expect("an error")).powi(2);
+    let allowed = 2.0 * (b.quadrature.expect("a share") + b.algebraic.expect("a share")) + rounding.max(1e-11);
+    assert!(difference <= allowed, "{at}: {difference:e} of {allowed:e}");
+}
+
+#[test]
+fn two_solvers_agree_on_every_shipped_study_and_every_level_is_sound() {
+    let mut compared = 0;
+    for study in coarse_studies() {
+        let (condensed, interior) = (run(&study, None), run(&study, Some(Method::InteriorPoint)));
+        for (a, b) in condensed.iter().zip(&interior) {
+            demand_soundness(a);
+            demand_soundness(b);
+            for (x, y) in a.levels.iter().zip(&b.levels) {
+                // |ΔL| ≤ 1e-9 · ½A(u,u)
+                let scale = 0.5 * x.solution_energy.expect("a norm").powi(2);
+                let moved = (x.energy - y.energy).abs();
+                assert!(moved <= 1e-9 * scale, "{}: {moved:e} of {scale:e}", place(a, x));
+                assert_eq!((&x.mesh_hash, x.dofs), (&y.mesh_hash, y.dofs));
+                assert_ne!(x.solver.name, y.solver.name, "two solvers, or nothing is compared");
+                compared += 1;
+            }
+        }
+    }
+    assert!(compared > 50, "{compared} levels");
+}
+
+#[test]
+fn errors_against_the_exact_and_against_a_finer_solution_agree_within_the_stated_contamination() {
+    let mut study =
+        shipped().select(&["theorem-3-1-smooth".into()]).expect("a study")[0].load().expect("a sound study");
+    study.cases.retain(|c| c.name == "structured" || c.name == "structured-overkill");
+    for case in &mut study.cases {
+        case.quick = vec![4, 8, 16, 32];
+        if let ReferencePlan::Overkill { quick, .. } = &mut case.reference {
+            *quick = 128;
+        }
+    }
+    let records = run(&study, None);
+    let [exact, overkill] = &records[..] else { panic!("two cases") };
+    for (x, o) in exact.levels.iter().zip(&overkill.levels).skip(1) {
+        let (e, measured) = (x.errors.energy.expect("an error"), o.errors.energy.expect("an error"));
+        let stated = o.budget.reference.expect("a contamination");
+        let seen = (measured - e).abs() / e;
+        assert!(seen <= 1.5 * stated + 1e-4, "n = {}: {seen:e}, stated {stated:e}", x.cells);
+        // The statement is no excuse: it is not far above what is seen.
+        assert!(stated < 0.05, "n = {}: {stated:e}", x.cells);
+    }
+}

@@ -1,0 +1,298 @@
+//! What the end-to-end tests share: a folder of their own, the program just built, and two studies to vary.
+
+// Every test program compiles this module and uses a part of it.
+#![allow(dead_code)]
+
+use signorini_study::record::StudyRecord;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+
+/// A folder for one test, removed at its end. It has its own empty `reference/`, so that no baseline from further up
+/// reaches the run.
+pub struct Folder(pub PathBuf);
+
+impl Folder {
+    /// A new folder named by the test.
+    pub fn new(test: &str) -> Self {
+        let path = std::env::temp_dir().join(format!("signorini-e2e-{test}-{}", std::process::id()));
+        fs::create_dir_all(path.join("reference")).expect("the temporary folder can be written");
+        Self(path)
+    }
+
+    /// A new folder with the study as `studies/<id>.toml`.
+    pub fn with_study(test: &str, study: &str) -> Self {
+        let folder = Self::new(test);
+        folder.add(study);
+        folder
+    }
+
+    /// Puts a study into `studies/`, under the name that its `id` asks for.
+    pub fn add(&self, study: &str) {
+        let id = study.split('"').nth(1).expect("a study starts with its id");
+        self.write(&format!("studies/{id}.toml"), study);
+    }
+
+    /// Writes a file below the folder.
+    pub fn write(&self, path: &str, text: &str) {
+        let path = self.path(path);
+        fs::create_dir_all(path.parent().expect("a file in the folder")).expect("a folder");
+        fs::write(path, text).expect("a file");
+    }
+
+    /// A path below the folder.
+    pub fn path(&self, path: &str) -> PathBuf {
+        self.0.join(path)
+    }
+
+    /// The text of a file below the folder.
+    pub fn text(&self, path: &str) -> String {
+        fs::read_to_string(self.path(path)).unwrap_or_else(|e| panic!("{path}: {e}"))
+    }
+
+    /// The record in `<out>/<case>/record.json`.
+    pub fn record(&self, case: &str) -> StudyRecord {
+        StudyRecord::from_json(&self.text(&format!("{case}/record.json"))).expect("a record")
+    }
+
+    /// The program with these arguments (separated by blanks), about to start in this folder.
+    pub fn command(&self, arguments: &str) -> Command {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_signorini"));
+        command.args(arguments.split_whitespace()).current_dir(&self.0).stdin(Stdio::null());
+        command
+    }
+
+    /// Runs the program in this folder.
+    pub fn signorini(&self, arguments: &str) -> Ended {
+        Ended::new(self.command(arguments).output().expect("the program starts"))
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+/// How the program ended and what it said.
+#[derive(Debug)]
+pub struct Ended {
+    /// Exit status.
+    pub status: i32,
+    /// Standard output.
+    pub out: String,
+    /// Standard error.
+    pub err: String,
+}
+
+impl Ended {
+    fn new(output: Output) -> Self {
+        let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("UTF-8");
+        Self {
+            status: output.status.code().expect("an exit status"),
+            out: text(output.stdout),
+            err: text(output.stderr),
+        }
+    }
+
+    /// Demands an exit status.
+    pub fn expect(self, status: i32) -> Self {
+        assert_eq!(self.status, status, "\n{}\n{}", self.out, self.err);
+        self
+    }
+
+    /// Demands an exit status and words on standard error.
+    pub fn complains(self, status: i32, words: &[&str]) -> Self {
+        let ended = self.expect(status);
+        for word in words {
+            assert!(ended.err.contains(word), "no {word:?} in\n{}", ended.err);
+        }
+        ended
+    }
+}
+
+/// Replaces the one place where `old` stands.
+pub fn edit(text: &str, old: &str, new: &str) -> String {
+    assert_eq!(text.matches(old).count(), 1, "{old:?} must stand once in the text");
+    text.replacen(old, new, 1)
+}
+
+/// Every file below a folder with its bytes, by path, but those called `except`.
+pub fn tree(root: &Path, except: &str) -> Vec<(String, Vec<u8>)> {
+    let mut found = Vec::new();
+    collect(root, root, &mut found);
+    found.retain(|(path, _)| Path::new(path).file_name().is_some_and(|name| name != except));
+    found.sort();
+    found
+}
+
+fn collect(root: &Path, folder: &Path, found: &mut Vec<(String, Vec<u8>)>) {
+    for entry in fs::read_dir(folder).expect("a folder") {
+        let path = entry.expect("an entry").path();
+        if path.is_dir() {
+            collect(root, &path, found);
+        } else {
+            let name = path.strip_prefix(root).expect("a path below the root").to_string_lossy().into_owned();
+            found.push((name, fs::read(&path).expect("a file")));
+        }
+    }
+}
+
+/// Only the paths of [`tree`].
+pub fn names(root: &Path) -> Vec<String> {
+    tree(root, "").into_iter().map(|(path, _)| path).collect()
+}
+
+/// Demands equal trees, naming the first file that differs.
+pub fn same_tree(a: &[(String, Vec<u8>)], b: &[(String, Vec<u8>)]) {
+    let paths = |t: &[(String, Vec<u8>)]| t.iter().map(|(path, _)| path.clone()).collect::<Vec<_>>();
+    assert_eq!(paths(a), paths(b));
+    for ((path, x), (_, y)) in a.iter().zip(b) {
+        assert!(x == y, "{path} differs");
+    }
+}
+
+/// Two unit squares, the gap opening like a cube at `x = 1/√6`: Theorem 3.1 with a smooth solution, one case.
+pub const SMOOTH: &str = r#"id = "smooth"
+title = "Smooth"
+claim = "theorem-3-1"
+question = "Does P1 converge like h?"
+setup = "Two squares with one switch point."
+refuted_by = "A rate below 1."
+
+[parameters]
+k = 3
+m = 2
+
+[levels]
+quick = [8, 16, 32, 64]
+full = [8, 16, 32, 64]
+
+[[body]]
+name = "upper"
+material = { lame = [1.5, 1.0] }
+rectangle = [[0, 0], [1, 1]]
+
+[[body]]
+name = "lower"
+material = { lame = [3.0, 2.0] }
+rectangle = [[0, -1], [1, 0]]
+
+[[boundary]]
+body = "upper"
+name = "top"
+along = [[0, 1], [1, 1]]
+condition = "fixed"
+
+[[boundary]]
+body = "upper"
+name = "left"
+along = [[0, 0], [0, 1]]
+condition = "traction"
+
+[[boundary]]
+body = "upper"
+name = "right"
+along = [[1, 0], [1, 1]]
+condition = "traction"
+
+[[boundary]]
+body = "lower"
+name = "bottom"
+along = [[0, -1], [1, -1]]
+condition = "fixed"
+
+[[boundary]]
+body = "lower"
+name = "left"
+along = [[0, -1], [0, 0]]
+condition = "traction"
+
+[[boundary]]
+body = "lower"
+name = "right"
+along = [[1, -1], [1, 0]]
+condition = "traction"
+
+[contact]
+along = [[0, 0], [1, 0]]
+
+[exact]
+builtin = "P"
+
+[expected]
+rate = 1
+"#;
+
+/// The upper square loaded on its top, held vertically by contact alone; no exact solution. Errors against a finer mesh.
+pub const LOADED: &str = r#"id = "loaded"
+title = "Loaded"
+claim = "two-squares"
+question = "Do the solutions converge?"
+setup = "A square pressed on another one."
+refuted_by = "Errors that stop falling."
+
+[levels]
+quick = [4, 8, 16, 32]
+full = [4, 8, 16, 32]
+
+[reference]
+kind = "overkill"
+quick = 128
+full = 128
+
+[[body]]
+name = "upper"
+material = { young = 1.0, poisson = 0.3, plane = "strain" }
+rectangle = [[0, 0], [1, 1]]
+
+[[body]]
+name = "lower"
+material = { young = 1.0, poisson = 0.3, plane = "strain" }
+rectangle = [[0, -1], [1, 0]]
+
+[[boundary]]
+body = "upper"
+name = "top"
+along = [[0, 1], [1, 1]]
+condition = "traction"
+value = ["0", "-0.1*(1 - 1.75*x)"]
+
+[[boundary]]
+body = "upper"
+name = "left"
+along = [[0, 0], [0, 1]]
+condition = "sliding"
+
+[[boundary]]
+body = "upper"
+name = "right"
+along = [[1, 0], [1, 1]]
+condition = "free"
+
+[[boundary]]
+body = "lower"
+name = "bottom"
+along = [[0, -1], [1, -1]]
+condition = "fixed"
+
+[[boundary]]
+body = "lower"
+name = "left"
+along = [[0, -1], [0, 0]]
+condition = "free"
+
+[[boundary]]
+body = "lower"
+name = "right"
+along = [[1, -1], [1, 0]]
+condition = "free"
+
+[contact]
+along = [[0, 0], [1, 0]]
+
+[expected]
+rate = 0.711
+asymptotic_only = true
+reason = "the corner between clamped and free sides governs large sizes only"
+"#;

@@ -1,0 +1,138 @@
+//! The same bytes on every run, for any number of threads, and after an interruption.
+
+mod common;
+
+use common::{Folder, LOADED, SMOOTH, edit, names, same_tree, tree};
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Stdio;
+
+/// Everything but the times.
+fn results(folder: &Folder, out: &str) -> Vec<(String, Vec<u8>)> {
+    tree(&folder.path(out), "timings.json")
+}
+
+/// Random meshes, several cases, an exact and a finer reference.
+fn varied() -> [String; 2] {
+    let families = "\n[[case]]\nname = \"perturbed\"\nfamily = { name = \"perturbed\", seed = 3, amount = 0.2 }\n\n\
+        [[case]]\nname = \"refined\"\nfamily = { name = \"refined\", seed = 3, amount = 0.2 }\n";
+    [SMOOTH.to_owned() + families, LOADED.to_owned()]
+}
+
+#[test]
+fn records_tables_and_pictures_are_the_same_bytes_for_any_number_of_threads() {
+    let folder = Folder::new("threads");
+    varied().iter().for_each(|study| folder.add(study));
+    let runs = ["--threads 1 --out one", "--threads 2 --out two", "--threads 3 --out three", "--threads 2 --out two"];
+    let said: Vec<(i32, String)> = runs
+        .iter()
+        .map(|arguments| folder.signorini(&format!("run --quiet {arguments}")))
+        .map(|ended| (ended.status, ended.out))
+        .collect();
+    assert!(said.iter().all(|s| *s == said[0] && s.0 != 1), "{said:?}");
+    let one = results(&folder, "one");
+    assert!(one.iter().any(|(path, _)| path == "smooth/refined/rates.png"), "{:?}", names(&folder.path("one")));
+    same_tree(&one, &results(&folder, "two"));
+    same_tree(&one, &results(&folder, "three"));
+}
+
+#[test]
+fn another_seed_gives_other_numbers() {
+    let folder = Folder::new("seed");
+    let [study, _] = varied();
+    let errors = |study: &str| {
+        folder.add(study);
+        folder.signorini("run --levels 2");
+        folder.record("reports/smooth/perturbed").levels.into_iter().map(|l| l.mesh_hash).collect::<Vec<_>>()
+    };
+    assert_ne!(errors(&study), errors(&study.replace("seed = 3", "seed = 4")));
+}
+
+#[test]
+fn a_record_tells_no_time() {
+    let folder = Folder::with_study("time", SMOOTH);
+    folder.signorini("run --threads 1 --levels 2");
+    let record = folder.text("reports/smooth/record.json");
+    for word in ["second", "elapsed", "time", "date", "bytes", "threads", "peak"] {
+        assert!(!record.lines().any(|l| l.split("\":").next().is_some_and(|key| key.contains(word))), "{word}");
+    }
+    assert!(folder.text("reports/smooth/timings.json").contains("peak_bytes"), "the times are elsewhere");
+}
+
+/// Many quick levels and a slow one at the end, during which the run is killed.
+fn long() -> String {
+    edit(SMOOTH, "quick = [8, 16, 32, 64]", "quick = [4, 8, 16, 32, 256]")
+}
+
+/// Files of unfinished cases below `reports/.partial`.
+fn kept(folder: &Folder) -> Vec<PathBuf> {
+    let root = folder.path("reports/.partial");
+    if !root.exists() { Vec::new() } else { names(&root).into_iter().map(|n| root.join(n)).collect() }
+}
+
+/// A folder with a run that was killed after its first levels and before its last.
+fn interrupted(test: &str) -> Folder {
+    let folder = Folder::with_study(test, &long());
+    let mut child =
+        folder.command("run --quiet --threads 1").stdout(Stdio::null()).spawn().expect("the program starts");
+    let whole = |p: &PathBuf| p.file_name().is_some_and(|n| n.to_string_lossy() == "level-3.json");
+    while !kept(&folder).iter().any(whole) {
+        assert!(child.try_wait().expect("a child").is_none(), "it ended before it could be interrupted");
+        std::thread::yield_now();
+    }
+    child.kill().expect("a running child");
+    child.wait().expect("a child");
+    assert!(!folder.path("reports/smooth/record.json").exists(), "it ended before it was interrupted");
+    folder
+}
+
+/// Changes a number of a kept level, so that whoever uses it can be told.
+fn mark(folder: &Folder) {
+    let level = kept(folder).into_iter().find(|p| p.ends_with("level-1.json")).expect("a kept level");
+    let text = fs::read_to_string(&level).expect("a kept level");
+    fs::write(&level, edit(&text, "\"status\": \"converged", "\"status\": \"marked, converged")).expect("a kept level");
+}
+
+fn is_marked(folder: &Folder) -> bool {
+    folder.record("reports/smooth").levels[1].solver.status.starts_with("marked")
+}
+
+fn finish(folder: &Folder, arguments: &str) {
+    let ended = folder.signorini(&format!("run --quiet {arguments}"));
+    assert!(ended.status != 1 && ended.err.is_empty(), "{ended:?}");
+    let hidden = |path: &String| Path::new(path).components().any(|c| c.as_os_str().to_string_lossy().starts_with('.'));
+    let left: Vec<String> = names(&folder.path("reports")).into_iter().filter(hidden).collect();
+    assert!(left.is_empty() && !folder.path("reports/.partial").exists(), "{left:?}");
+}
+
+#[test]
+fn an_interrupted_run_resumes_to_the_same_bytes() {
+    let whole = Folder::with_study("whole", &long());
+    finish(&whole, "");
+    let expected = results(&whole, "reports");
+
+    let resumed = interrupted("resumed");
+    // A temporary file of the killed process and a level that was cut short must not matter.
+    let first = kept(&resumed).into_iter().find(|p| p.ends_with("level-0.json")).expect("a kept level");
+    fs::write(first.with_file_name(".level-4.json.1.tmp"), "{ \"lev").expect("a file");
+    fs::write(&first, "{ \"lev").expect("a file");
+    finish(&resumed, "");
+    same_tree(&expected, &results(&resumed, "reports"));
+}
+
+#[test]
+fn a_kept_level_is_used_once_and_never_for_another_run() {
+    let folder = interrupted("kept");
+    mark(&folder);
+    finish(&folder, "");
+    assert!(is_marked(&folder), "the kept level was not used");
+    // A finished run is computed anew.
+    finish(&folder, "");
+    assert!(!is_marked(&folder));
+
+    // Other settings are another problem: what was kept is discarded.
+    let folder = interrupted("stale");
+    mark(&folder);
+    finish(&folder, "--levels 4");
+    assert!(!is_marked(&folder));
+}
