@@ -4,7 +4,7 @@
 
 use signorini_study::file::library::shipped;
 use signorini_study::record::{Level, Reference, StudyRecord};
-use signorini_study::run::{Method, Profile, RunSettings, Unwatched, run_study};
+use signorini_study::run::{Method, Profile, RunSettings, Unwatched, run_case};
 use signorini_study::study::{ReferencePlan, Study};
 
 /// Scaled residuals of the optimality conditions.
@@ -25,7 +25,8 @@ fn coarse_studies() -> Vec<Study> {
 
 fn run(study: &Study, solver: Option<Method>) -> Vec<StudyRecord> {
     let settings = RunSettings { profile: Profile::Quick, levels: None, solver, partial: None };
-    run_study(study, &settings, &Unwatched).expect("a run").into_iter().map(|r| r.record).collect()
+    let one = |case| run_case(study, case, &settings, &Unwatched).expect("a run").record;
+    study.cases.iter().map(one).collect()
 }
 
 fn place(record: &StudyRecord, level: &Level) -> String {
