@@ -21,7 +21,7 @@ impl Progress {
     /// A study is done.
     pub fn study_done(&self, study: &str, outcome: &str) {
         if self.lines {
-            eprintln!("{study}: {outcome}");
+            complain!("{study}: {outcome}\n");
         }
     }
 
