@@ -13,13 +13,16 @@ use signorini_contact::mesh::Mesh;
 use signorini_contact::solver::Settings;
 use signorini_contact::zone::{Constraint, Zone};
 
+/// How the contact zone of a mesh is constrained.
+type Constrain = fn(&Mesh) -> Zone;
+
 fn study(id: &str) -> Study {
     let library: Library = shipped();
     library.select(&[id.to_owned()]).unwrap()[0].load().unwrap()
 }
 
 /// Runs one case with constraints of the given making on the given levels.
-fn run(id: &str, case: &str, cells: &[usize], constrain: fn(&Mesh) -> Zone) -> StudyRecord {
+fn run(id: &str, case: &str, cells: &[usize], constrain: Constrain) -> StudyRecord {
     let study = study(id);
     let case = study.cases.iter().find(|c| c.name == case).unwrap();
     let task = Task { case, cells, settings: Settings::default(), constrain };
@@ -89,14 +92,14 @@ fn both_corner_patches_pass_with_both_constraints() {
 
 /// Planted at the corner: name, defect, energy errors in patch 1 and patch 2.
 fn corner_defects() -> Vec<(&'static str, [Vec<f64>; 2])> {
-    let defects: [(&str, fn(&Mesh) -> Zone); 4] =
+    let defects: [(&str, Constrain); 4] =
         [("first", first_alone), ("last", last_alone), ("average", average), ("weighted", weighted_average)];
     let both = |constrain| ["patch-1", "patch-2"].map(|case| judged(case, constrain));
     defects.map(|(name, constrain)| (name, both(constrain))).to_vec()
 }
 
 /// The energy errors; the verdict is demanded to follow them.
-fn judged(case: &str, constrain: fn(&Mesh) -> Zone) -> Vec<f64> {
+fn judged(case: &str, constrain: Constrain) -> Vec<f64> {
     let record = run("corner-patch", case, &PATCH, constrain);
     let errors = errors(&record);
     let wanted = if errors.iter().all(|e| *e < 1e-12) { Outcome::Pass } else { Outcome::Fail };
