@@ -5,6 +5,7 @@ mod common;
 use common::{Folder, LOADED, SMOOTH, edit, names, same_tree, tree};
 use serde_json::Value;
 use signorini_study::claim::catalogue::{Standing, catalogue};
+use std::process::Stdio;
 
 /// The smooth study held against a rate that it cannot reach.
 fn too_demanding() -> String {
@@ -57,6 +58,19 @@ fn what_cannot_be_understood_ends_with_status_2_and_a_suggestion() {
     folder.signorini("run --solver guess").complains(2, &["condensed", "interior-point"]);
     folder.signorini("run no/such.toml").complains(2, &["no/such.toml", "cannot read the study"]);
     folder.signorini("run hards").complains(2, &["did you mean `hard`?"]);
+}
+
+#[test]
+fn a_reader_who_leaves_early_changes_neither_the_status_nor_the_results() {
+    let folder = Folder::with_study("pipe", SMOOTH);
+    folder.add(&too_demanding());
+    for (arguments, status) in [("list", 0), ("check smooth", 0), ("run smooth", 1), ("no-such-study", 2)] {
+        let mut command = folder.command(arguments);
+        let mut child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the program starts");
+        drop((child.stdout.take(), child.stderr.take()));
+        assert_eq!(child.wait().expect("a child").code(), Some(status), "{arguments}");
+    }
+    assert!(folder.path("reports/summary.md").exists());
 }
 
 #[test]

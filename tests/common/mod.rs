@@ -119,28 +119,28 @@ pub fn edit(text: &str, old: &str, new: &str) -> String {
 
 /// Every file below a folder with its bytes, by path, but those called `except`.
 pub fn tree(root: &Path, except: &str) -> Vec<(String, Vec<u8>)> {
+    let wanted = |path: &String| Path::new(path).file_name().is_some_and(|name| name != except);
+    let read = |path: String| {
+        let bytes = fs::read(root.join(&path)).expect("a file");
+        (path, bytes)
+    };
+    names(root).into_iter().filter(wanted).map(read).collect()
+}
+
+/// Every file below a folder, sorted. What vanishes while it is looked at is not there.
+pub fn files(folder: &Path) -> Vec<PathBuf> {
     let mut found = Vec::new();
-    collect(root, root, &mut found);
-    found.retain(|(path, _)| Path::new(path).file_name().is_some_and(|name| name != except));
+    for path in fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path()) {
+        if path.is_dir() { found.extend(files(&path)) } else { found.push(path) }
+    }
     found.sort();
     found
 }
 
-fn collect(root: &Path, folder: &Path, found: &mut Vec<(String, Vec<u8>)>) {
-    for entry in fs::read_dir(folder).expect("a folder") {
-        let path = entry.expect("an entry").path();
-        if path.is_dir() {
-            collect(root, &path, found);
-        } else {
-            let name = path.strip_prefix(root).expect("a path below the root").to_string_lossy().into_owned();
-            found.push((name, fs::read(&path).expect("a file")));
-        }
-    }
-}
-
-/// Only the paths of [`tree`].
+/// Every file below a folder, by its path from there.
 pub fn names(root: &Path) -> Vec<String> {
-    tree(root, "").into_iter().map(|(path, _)| path).collect()
+    let below = |path: PathBuf| path.strip_prefix(root).expect("a path below").to_string_lossy().into_owned();
+    files(root).into_iter().map(below).collect()
 }
 
 /// Demands equal trees, naming the first file that differs.

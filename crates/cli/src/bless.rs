@@ -18,7 +18,7 @@ pub fn bless(args: &RunArgs) -> Result<u8, Failure> {
         let records: Vec<_> = runs.into_iter().map(|r| r.record).collect();
         let hashes = study.cases.iter().map(|c| (c.name.clone(), c.fingerprint())).collect();
         if let Some(baseline) = Baseline::from_records(&records, &hashes, env!("CARGO_PKG_VERSION")) {
-            println!("blessed: {}", baseline.write(&folder)?.display());
+            sayln!("blessed: {}", baseline.write(&folder)?.display());
         }
     }
     Ok(0)

@@ -11,17 +11,17 @@ pub fn list() -> Result<u8, Failure> {
     let studies: Vec<Study> =
         library.sources.iter().map(|s| s.load().map_err(Failure::from)).collect::<Result<_, _>>()?;
     match &library.folder {
-        Some(folder) => println!("studies in {}:", folder.display()),
-        None => println!("studies shipped with the program (no studies/ folder here or above):"),
+        Some(folder) => sayln!("studies in {}:", folder.display()),
+        None => sayln!("studies shipped with the program (no studies/ folder here or above):"),
     }
     for (source, study) in library.sources.iter().zip(&studies) {
         let group = source.group.folder();
         let group = if group.is_empty() { String::new() } else { format!(" [{group}]") };
-        println!("  {:<28} {:<16} {}{group}", study.id, study.claim.id, study.title);
+        sayln!("  {:<28} {:<16} {}{group}", study.id, study.claim.id, study.title);
     }
-    println!("\nclaims:");
+    sayln!("\nclaims:");
     for entry in catalogue() {
-        println!("  {:<28} {:<16} {}", entry.id, standing(entry, &studies), entry.statement);
+        sayln!("  {:<28} {:<16} {}", entry.id, standing(entry, &studies), entry.statement);
     }
     Ok(0)
 }

@@ -1,5 +1,8 @@
 //! The `signorini` program: arguments, progress and exit status. No mathematics.
 
+#[macro_use]
+mod say;
+
 mod args;
 mod bless;
 mod check;
@@ -28,7 +31,7 @@ fn main() -> ExitCode {
     match result {
         Ok(status) => ExitCode::from(status),
         Err(failure) => {
-            eprint!("{failure}");
+            complain!("{failure}");
             ExitCode::from(signorini_study::verdict::BAD_INPUT)
         }
     }

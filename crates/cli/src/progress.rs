@@ -22,7 +22,12 @@ impl Progress {
     /// A case is done and written.
     pub fn case_done(&self, record: &StudyRecord) {
         if self.lines {
-            eprintln!("{}: {:?}", name(&record.study, &record.case), record.verdict.outcome);
+            let outcome = format!("{:?}", record.verdict.outcome).to_lowercase();
+            complain!(
+                "{}: {outcome}
+",
+                name(&record.study, &record.case)
+            );
         }
     }
 

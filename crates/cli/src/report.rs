@@ -16,6 +16,6 @@ pub fn report(dir: &Path) -> Result<u8, Failure> {
         signorini_report::render(record, &store::record_folder(dir, record)?)?;
     }
     signorini_report::render_summary(&records, dir)?;
-    print!("{}", summary_text(&records));
+    say!("{}", summary_text(&records));
     Ok(verdict::exit_status(&records))
 }

@@ -20,10 +20,10 @@ pub fn run(args: &RunArgs) -> Result<u8, Failure> {
     let (runs, drifted) = execute(args, &studies)?;
     let records: Vec<StudyRecord> = runs.into_iter().flatten().map(|r| r.record).collect();
     signorini_report::render_summary(&records, &args.out)?;
-    print!("{}", summary_text(&records));
-    drifted.iter().for_each(|line| println!("drift: {line}"));
+    say!("{}", summary_text(&records));
+    drifted.iter().for_each(|line| sayln!("drift: {line}"));
     if !args.quiet {
-        println!("tables and plots: {}", args.out.join("summary.md").display());
+        sayln!("tables and plots: {}", args.out.join("summary.md").display());
     }
     let status = verdict::exit_status(&records);
     Ok(if args.strict && !drifted.is_empty() { 1 } else { status })

@@ -99,7 +99,7 @@ fn corner_defects() -> Vec<(&'static str, [Vec<f64>; 2])> {
 }
 
 /// The energy errors; the verdict is demanded to follow them.
-fn judged(case: &str, constrain: fn(&Mesh) -> Zone) -> Vec<f64> {
+fn judged(case: &str, constrain: Constrain) -> Vec<f64> {
     let record = run("corner-patch", case, &PATCH, constrain);
     let errors = errors(&record);
     let wanted = if errors.iter().all(|e| *e < 1e-12) { Outcome::Pass } else { Outcome::Fail };
