@@ -203,3 +203,40 @@ fn plain_text_is_cut_to_its_width() {
     let table = table::Table { columns: vec![column], rows: vec![row("a rather long text"), row("short")] };
     assert_eq!(table.to_text(10), "words\n──────────\na rather …\nshort\n");
 }
+
+/// A rate that still drifts is marked, one that scatters is not shown; the record keeps both.
+#[test]
+fn rates_that_are_not_firm_say_so() {
+    let mut record = common::healthy();
+    let page = |r: &StudyRecord| markdown::page(r, markdown::Pictures::default());
+    assert!(!page(&record).contains("Not asymptotic"));
+    if let Some(energy) = record.rates.get_mut("energy") {
+        energy.asymptotic = false;
+    }
+    let wide = common::rate(&record.levels, 0.4, -0.562);
+    record.rates.insert("contact_set".into(), signorini_study::record::Rate { low: -2.8, high: 1.7, ..wide });
+    let text = page(&record);
+    assert!(text.contains("| *energy √A(e,e)* † | *1.000* |"), "{text}");
+    assert!(text.contains("| *contact set \\|C △ Cₕ\\|* † | *–* |") && !text.contains("-0.562"), "{text}");
+    assert!(text.contains("† Not asymptotic"), "{text}");
+    let strain = text.find("| strain |u").or(text.find("| strain \\|u"));
+    assert!(strain < text.find("| *contact set"), "the norms have their own order");
+}
+
+/// Where the error is rounding there is neither a rate nor a ledger to look at.
+#[test]
+fn rounding_has_no_rates_and_no_ledger_picture() {
+    let mut record = common::healthy();
+    record.rates.clear();
+    for level in &mut record.levels {
+        level.errors =
+            common::record(1, (1e-16, 0.0), (1e-15, 0.0), (1e-15, 0.0), (1e-16, 0.0)).levels[0].errors.clone();
+        if let Some(ledger) = &mut level.ledger {
+            (ledger.lhs, ledger.a, ledger.b) = (1e-30, 1e-30, -1e-19);
+        }
+    }
+    assert!(!levels::errors(&record).columns.iter().any(|c| c.key.ends_with("_rate")));
+    assert!(signorini_report::plot::ledger(&record).is_none());
+    let rates = signorini_report::plot::rates(&record);
+    assert!(rates.is_some_and(|c| c.remarks.iter().any(|r| r.starts_with("Rounding"))));
+}

@@ -1,9 +1,11 @@
-//! Made-up levels and records for the tests of rates, verdicts and stores.
+//! Made-up levels and records for the tests of rates, verdicts and stores, and shipped studies for those of scenes.
 
+use crate::file::library::shipped;
 use crate::rate;
 use crate::record::{
     Bounds, Budget, ClaimKind, Errors, Kkt, Level, Outcome, Reference, SCHEMA, SolverRecord, StudyRecord, Verdict,
 };
+use crate::study::{Case, Study};
 
 /// `count` sound levels, `h = 1/8, 1/16, …`, whose energy error is `error(h)`; the strain error is 0.7 of it, the
 /// interpolation error 1.1 times it, `‖u‖_A = 1`.
@@ -80,6 +82,18 @@ pub(crate) fn record(study: &str, case: &str, levels: Vec<Level>) -> StudyRecord
         expected_inconclusive: None,
         notes: Vec::new(),
     }
+}
+
+/// A shipped study.
+pub(crate) fn study(id: &str) -> Study {
+    let sources = shipped().select(&[id.to_string()]).unwrap();
+    sources[0].load().unwrap_or_else(|e| panic!("{e}"))
+}
+
+/// A case of a shipped study.
+pub(crate) fn case(id: &str, name: &str) -> Case {
+    let found = study(id).cases.into_iter().find(|c| c.name == name);
+    found.unwrap_or_else(|| panic!("{id} has no case {name}"))
 }
 
 /// Seeded noise (SplitMix64), the same on every machine.

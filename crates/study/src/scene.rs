@@ -81,3 +81,62 @@ impl ExactScene {
         derived::jump(self.solution.as_ref(), x, normal)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sample;
+    use signorini_contact::geometry::right_normal;
+
+    /// `τ(u)n` from differences of the displacement.
+    fn traction_by_differences(exact: &ExactScene, body: Body, x: Point, n: Vec2) -> Vec2 {
+        let step = 1e-6;
+        let along = |e: Vec2| {
+            (exact.solution.value(body, x + step * e) - exact.solution.value(body, x - step * e)) / (2.0 * step)
+        };
+        let (dx, dy) = (along(Vec2::x()), along(Vec2::y()));
+        let material = &exact.materials[body.index()];
+        let s = material.stress(signorini_contact::material::strain([[dx.x, dy.x], [dx.y, dy.y]]));
+        Vec2::new(s[0] * n.x + s[2] * n.y, s[2] * n.x + s[1] * n.y)
+    }
+
+    #[test]
+    fn data_that_a_study_leaves_out_come_from_the_exact_solution() {
+        let scene = sample::case("theorem-3-1-smooth", "structured").scene;
+        let exact = scene.exact.as_ref().unwrap();
+        let supports = scene.supports();
+        assert!(supports.contains(&Support::Fixed) && supports.contains(&Support::Traction));
+        for (k, part) in scene.parts.iter().enumerate() {
+            let (a, b) = (part.along[0], part.along[1]);
+            let (x, n) = (0.7 * a + 0.3 * b, right_normal(a, b));
+            let u = exact.solution.value(part.body, x);
+            match supports[k] {
+                Support::Fixed => assert_eq!((scene.displacement(k, x), scene.traction(k, x, n)), (u, Vec2::zeros())),
+                _ => {
+                    let expected = traction_by_differences(exact, part.body, x, n);
+                    assert!((scene.traction(k, x, n) - expected).norm() < 1e-8, "{}: {expected}", part.name);
+                    assert_eq!(scene.displacement(k, x), Vec2::zeros());
+                }
+            }
+        }
+        assert!(Body::BOTH.into_iter().all(|body| scene.has_body_force(body)));
+    }
+
+    #[test]
+    fn data_that_a_study_states_are_taken_as_they_are() {
+        let scene = sample::case("two-squares", "two-squares").scene;
+        let top = scene.parts.iter().position(|p| p.name == "top").unwrap();
+        let load = scene.traction(top, Point::new(0.0, 1.0), Vec2::y());
+        assert!((load - Vec2::new(0.0, -0.1)).norm() < 1e-15);
+        assert!(Body::BOTH.into_iter().all(|body| !scene.has_body_force(body)));
+        assert_eq!(scene.body_force(Body::First, Point::zeros()), Vec2::zeros());
+    }
+
+    #[test]
+    fn fixed_quadrature_knows_no_singular_point() {
+        let scene = sample::case("theorem-3-1-natural", "structured").scene;
+        let (graded, fixed) = (scene.cubature(1, false), scene.cubature(1, true));
+        assert!(!graded.singular.is_empty() && fixed.singular.is_empty() && fixed.breaks.is_empty());
+        assert_eq!((graded.depth, fixed.depth), (1, 1));
+    }
+}

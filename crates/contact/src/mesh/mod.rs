@@ -22,7 +22,7 @@ mod outline;
 pub mod quality;
 mod sides;
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;
 pub mod triangulation;
 
 pub use hash::fnv1a;

@@ -163,3 +163,26 @@ fn rounding_is_measured_by_the_solution() {
     levels.iter_mut().for_each(|l| l.solution_energy = Some(1.0));
     assert!(matches!(fit_levels(&levels, "energy"), Err(NoFit::Rounding { level: 1, .. })));
 }
+
+#[test]
+fn rounding_carries_no_rate_in_any_norm() {
+    let mut levels = sample::levels(5, |h| 0.1 * h);
+    levels.iter_mut().for_each(|l| l.errors.l2 = Some(l.h * l.h));
+    assert!(all(&levels, "strain").contains_key("l2"));
+    // one level at the size of rounding spoils them all: L² has no scale of its own
+    levels[4].errors.energy = Some(9e-12);
+    assert!(is_rounding(&levels[4]) && !is_rounding(&levels[3]));
+    assert!(all(&levels, "strain").is_empty());
+    // left out of the fit it spoils nothing
+    levels[4].excluded = Some("rounding".into());
+    assert!(all(&levels, "strain").contains_key("l2"));
+}
+
+#[test]
+fn penetration_is_measured_by_the_trace() {
+    let mut levels = sample::levels(4, |h| h);
+    levels.iter_mut().for_each(|l| l.errors.penetration_l2 = Some(1e-10 * l.h * l.h));
+    assert!(matches!(fit_levels(&levels, "penetration_l2"), Err(NoFit::Rounding { .. })));
+    levels.iter_mut().for_each(|l| l.solution_trace = Some(1e-6));
+    assert!((fit_levels(&levels, "penetration_l2").unwrap().slope - 2.0).abs() < 1e-12);
+}

@@ -1,7 +1,7 @@
 //! What happens on the contact zone: pressure, penetration, contact set and switch points of a discrete solution.
 
 use crate::study::ExactScene;
-use signorini_contact::geometry::{Point, Vec2};
+use signorini_contact::geometry::{Point, Segment, Vec2};
 use signorini_contact::mesh::Mesh;
 use signorini_contact::problem::{Discrete, Solution};
 use signorini_contact::quadrature::Cubature;
@@ -96,14 +96,8 @@ pub fn against_exact(
     for (side, &normal) in zone.side_normals.iter().enumerate() {
         let ends = mesh.contact[side].first.map(|i| mesh.points[i as usize]);
         let length = side_length(mesh, side);
-        let along = signorini_contact::geometry::Segment { a: ends[0], b: ends[1] };
-        let [p0, p1] = state.pressure[side];
-        let mut square = 0.0;
-        cubature.side(ends[0], ends[1], &mut |x, w| {
-            let s = along.parameter(x);
-            let difference = -exact.contact_stress(x, normal) - ((1.0 - s) * p0 + s * p1);
-            square += w * difference * difference;
-        });
+        let along = Segment { a: ends[0], b: ends[1] };
+        let square = pressure_error(exact, &along, normal, state.pressure[side], cubature);
         errors.pressure += square;
         errors.pressure_dual += length * square;
         let inside: Vec<f64> = switches
@@ -122,6 +116,17 @@ pub fn against_exact(
     errors.pressure = errors.pressure.sqrt();
     errors.pressure_dual = errors.pressure_dual.sqrt();
     errors
+}
+
+/// `∫ (p − p_h)² ds` over a side with the discrete pressure at its two ends.
+fn pressure_error(exact: &ExactScene, side: &Segment, normal: Vec2, [p0, p1]: [f64; 2], cubature: &Cubature) -> f64 {
+    let mut square = 0.0;
+    cubature.side(side.a, side.b, &mut |x, w| {
+        let s = side.parameter(x);
+        let difference = -exact.contact_stress(x, normal) - ((1.0 - s) * p0 + s * p1);
+        square += w * difference * difference;
+    });
+    square
 }
 
 /// The share of a side on which the discrete contact set (by halves) and the exact one differ.

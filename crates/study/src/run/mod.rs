@@ -206,9 +206,7 @@ fn conclude(
         gates: &case.gates,
         expected_is_asymptotic: case.expected_is_asymptotic,
     });
-    let warnings = levels.iter().flat_map(|l| l.warnings.iter().cloned());
-    let mut notes: Vec<String> = case.notes.iter().cloned().chain(warnings).collect();
-    notes.dedup();
+    let notes = notes(case, &levels);
     let quick = settings.profile == Profile::Quick;
     StudyRecord {
         schema: SCHEMA,
@@ -236,6 +234,14 @@ fn conclude(
         expected_inconclusive: case.inconclusive_at_quick.clone().filter(|_| quick),
         notes,
     }
+}
+
+/// The case's own remarks and the warnings of its levels, repeated ones once.
+fn notes(case: &Case, levels: &[Level]) -> Vec<String> {
+    let warnings = levels.iter().flat_map(|l| l.warnings.iter().cloned());
+    let mut notes: Vec<String> = case.notes.iter().cloned().chain(warnings).collect();
+    notes.dedup();
+    notes
 }
 
 fn profile_name(settings: &RunSettings) -> &'static str {

@@ -91,3 +91,63 @@ fn discard_others(root: &Path, owner: &str, folder: &Path) {
         let _ = std::fs::remove_dir_all(entry.path());
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::run::Profile;
+    use crate::sample;
+    use crate::store::scratch::Scratch;
+
+    type Measured = Result<(Level, LevelTimes), RunError>;
+
+    fn measured() -> Measured {
+        Ok((sample::level(2, 0.125), LevelTimes { solve: 0.5, ..Default::default() }))
+    }
+
+    fn never() -> Measured {
+        panic!("a kept level is measured again")
+    }
+
+    fn open(root: &Scratch, cells: &[usize]) -> Partial {
+        let study = sample::study("theorem-3-1-smooth");
+        let case = &study.cases[0];
+        let partial = Some(root.0.clone());
+        let settings = RunSettings { profile: Profile::Quick, levels: None, solver: None, partial };
+        let task = Task { case, cells, settings: case.solver, constrain: signorini_contact::zone::Zone::new };
+        Partial::open(&study, case, &settings, &task).unwrap()
+    }
+
+    #[test]
+    fn a_finished_level_is_read_back_and_not_measured_again() {
+        let root = Scratch::new("resume");
+        let first = open(&root, &[8, 16]).level(1, measured).unwrap();
+        assert_eq!(open(&root, &[8, 16]).level(1, never).unwrap(), first);
+        // another level, other sizes: nothing is kept for them
+        assert!(open(&root, &[8, 16]).level(0, || Err(RunError::Study("measured".into()))).is_err());
+        assert!(open(&root, &[8, 32]).level(1, || Err(RunError::Study("measured".into()))).is_err());
+    }
+
+    #[test]
+    fn half_a_level_is_measured_again() {
+        let root = Scratch::new("half");
+        let partial = open(&root, &[8]);
+        partial.level(0, measured).unwrap();
+        let file = partial.folder.as_ref().unwrap().join("level-0.json");
+        std::fs::write(&file, "{ \"level\":").unwrap();
+        assert_eq!(partial.level(0, measured).unwrap(), measured().unwrap());
+        assert!(partial.level(0, never).is_ok());
+    }
+
+    #[test]
+    fn nothing_stays_of_a_finished_case_and_a_failed_level_is_not_kept() {
+        let root = Scratch::new("close");
+        let partial = open(&root, &[8]);
+        assert!(partial.level(0, || Err(RunError::Study("no".into()))).is_err());
+        partial.level(1, measured).unwrap();
+        let folder = partial.folder.clone().unwrap();
+        assert!(folder.join("level-1.json").is_file() && !folder.join("level-0.json").exists());
+        partial.discard();
+        assert!(!folder.exists());
+    }
+}

@@ -53,3 +53,64 @@ pub fn contaminate(levels: &mut [Level], reference: &mut Reference) {
         level.budget.reference = level.errors.energy.filter(|e| *e > 0.0).map(|e| 0.5 * (own / e).powi(2));
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sample;
+
+    /// Levels and a reference of `L = −½ + ½e²`, `e = 0.3 h`, with the reference at an eighth of the finest `h`.
+    fn synthetic(reference_energy: f64) -> (Vec<Level>, Reference) {
+        let mut levels = sample::levels(4, |h| 0.3 * h);
+        for level in &mut levels {
+            level.energy = -0.5 + 0.5 * (0.3 * level.h).powi(2);
+        }
+        let h = levels[3].h / 8.0;
+        let solver = "condensed".into();
+        let reference = Reference::Overkill {
+            h,
+            dofs: 1,
+            energy: reference_energy,
+            estimated_error: None,
+            stationarity: 0.0,
+            solver,
+        };
+        (levels, reference)
+    }
+
+    fn contaminated(energy: f64) -> (f64, f64) {
+        let (mut levels, mut reference) = synthetic(energy);
+        contaminate(&mut levels, &mut reference);
+        let Reference::Overkill { estimated_error: Some(own), .. } = reference else { panic!("no estimate") };
+        (own, levels[3].budget.reference.unwrap())
+    }
+
+    #[test]
+    fn curve_and_energies_find_the_same_error_of_the_reference() {
+        let own = 0.3 * 0.125 / 64.0;
+        let (estimate, share) = contaminated(-0.5 + 0.5 * own * own);
+        assert!((estimate / own - 1.0).abs() < 1e-9, "{estimate} {own}");
+        // ½ (1/8)² on the finest level
+        assert!((share - 0.5 / 64.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn the_worse_of_the_two_estimates_counts() {
+        let own = 0.3 * 0.125 / 64.0;
+        // a reference energy that is too low leaves a larger gap to the levels, hence a larger extrapolated error
+        let (estimate, _) = contaminated(-0.5 - 5e-6);
+        let finest = 64.0 * own / 8.0;
+        let extrapolated = f64::sqrt((finest * finest + 1e-5) / 63.0);
+        assert!((estimate / extrapolated - 1.0).abs() < 1e-9 && estimate > 1.2 * own, "{estimate} {extrapolated}");
+        // too high a one says nothing; the curve then decides
+        assert!((contaminated(-0.5 + 1e-6).0 / own - 1.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn an_exact_reference_contaminates_nothing() {
+        let mut levels = sample::levels(4, |h| 0.3 * h);
+        let before = levels.clone();
+        contaminate(&mut levels, &mut Reference::Exact);
+        assert_eq!(levels, before);
+    }
+}

@@ -77,12 +77,12 @@ fn write_json(path: &Path, value: &impl serde::Serialize) -> Result<(), StoreErr
 }
 
 #[cfg(test)]
-mod scratch {
+pub(crate) mod scratch {
     //! A folder for one test, removed at its end.
 
     use std::path::PathBuf;
 
-    pub(super) struct Scratch(pub PathBuf);
+    pub(crate) struct Scratch(pub PathBuf);
 
     impl Scratch {
         pub fn new(test: &str) -> Self {

@@ -5,6 +5,7 @@ use crate::family::{Family, build_level};
 use crate::file::library::{EVERYTHING, shipped};
 use crate::file::{Group, LibraryError, find_studies};
 use crate::record::{ClaimKind, Outcome};
+use crate::sample::study as load;
 use crate::study::{Case, ReferencePlan, Study};
 use signorini_contact::geometry::right_normal;
 use signorini_contact::solver::Method;
@@ -14,11 +15,6 @@ use std::path::{Path, PathBuf};
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
-}
-
-fn load(id: &str) -> Study {
-    let sources = shipped().select(&[id.to_string()]).unwrap();
-    sources[0].load().unwrap_or_else(|e| panic!("{e}"))
 }
 
 fn case<'a>(study: &'a Study, name: &str) -> &'a Case {

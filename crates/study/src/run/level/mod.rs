@@ -3,6 +3,8 @@
 mod against_exact;
 mod against_overkill;
 mod parts;
+#[cfg(test)]
+mod tests;
 
 use super::contact::{self, ContactState};
 use super::timing::{LevelTimes, Stopwatch};

@@ -5,6 +5,9 @@
 //! bodies together) and `f(y) = 0` where `−y` is allowed as well. The allowed motions form a polyhedral cone in at most
 //! six dimensions, so its two-sided part is a null space and the rest is decided on its extreme rays.
 
+#[cfg(test)]
+mod tests;
+
 use crate::Error;
 use crate::basis::NodeSupport;
 use crate::geometry::{Point, Vec2, tangent_of};

@@ -7,6 +7,9 @@
 //!        Ω''        │n
 //! ```
 
+#[cfg(test)]
+mod tests;
+
 use crate::geometry::{Vec2, cross, right_normal};
 use crate::mesh::Mesh;
 use std::collections::BTreeMap;

@@ -1,6 +1,9 @@
 //! Norms of displacements and of their errors, both bodies together: `|v|² = ∫ ε_ij(v) ε_ij(v) dx` (the strain seminorm
 //! of every estimate), `A(v,v)`, the `H¹` seminorm and `L²`.
 
+#[cfg(test)]
+mod tests;
+
 use crate::element::{displacement_gradient, gradients, hats};
 use crate::geometry::{Point, Vec2};
 use crate::material::{Material, contract, strain};
