@@ -211,3 +211,10 @@ fn the_constant_of_many_switches_is_that_of_one_cell() {
         assert!((largest / stated - 1.0).abs() < 0.01, "{}: {largest} {stated}", c.name);
     }
 }
+
+#[test]
+fn a_case_may_take_the_exact_solution_back() {
+    let study = shipped().select(&["lemma-2-1".into()]).unwrap()[0].load().unwrap();
+    let has_exact = |name: &str| study.cases.iter().find(|c| c.name == name).unwrap().scene.exact.is_some();
+    assert!(has_exact("structured") && has_exact("perturbed") && !has_exact("kinked"));
+}
