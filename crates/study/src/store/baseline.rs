@@ -4,7 +4,7 @@
 
 use super::records::plain;
 use super::{StoreError, read_json, write_json};
-use crate::record::{Level, StudyRecord};
+use crate::record::{Level, Reference, StudyRecord};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -27,6 +27,8 @@ pub struct BaselineCase {
     pub scene_hash: Option<String>,
     /// Profile of the run.
     pub profile: String,
+    /// Dofs of the discrete reference that the errors were measured against; `None` for another kind of reference.
+    pub reference_dofs: Option<usize>,
     /// From the coarsest to the finest.
     pub levels: Vec<BaselineLevel>,
     /// Slopes by name of the error norm.
@@ -106,9 +108,18 @@ impl BaselineCase {
         Self {
             scene_hash,
             profile: record.profile.clone(),
+            reference_dofs: reference_dofs(record),
             levels: record.levels.iter().map(BaselineLevel::from).collect(),
             rates: record.rates.iter().map(|(name, rate)| (name.clone(), rate.slope)).collect(),
         }
+    }
+}
+
+/// Dofs of a record's discrete reference.
+pub(super) fn reference_dofs(record: &StudyRecord) -> Option<usize> {
+    match record.reference {
+        Reference::Overkill { dofs, .. } => Some(dofs),
+        Reference::Exact | Reference::None => None,
     }
 }
 

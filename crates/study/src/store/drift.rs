@@ -1,11 +1,11 @@
 //! How far a run has moved from the baseline.
 //!
-//! Levels are matched by their dofs, so a longer or shorter run compares what both have; rates are compared only
-//! between runs of the same levels. What another machine may change is allowed for: energies to 1e-8, errors to four
+//! Levels are matched by their dofs, so a longer or shorter run compares what both have; errors and rates are compared
+//! only where they were measured against the same reference, rates only between runs of the same levels. What another machine may change is allowed for: energies to 1e-8, errors to four
 //! significant digits (and to rounding, where the error is nothing else), rates to three decimals.
 
 use super::Baseline;
-use super::baseline::{BaselineCase, BaselineLevel};
+use super::baseline::{BaselineCase, BaselineLevel, reference_dofs};
 use crate::record::{Level, StudyRecord};
 
 /// Relative change of an energy.
@@ -27,7 +27,11 @@ pub fn drift(baseline: &Baseline, record: &StudyRecord) -> Vec<String> {
     if pairs.is_empty() {
         return vec!["no level has as many dofs as a level of the baseline".into()];
     }
-    let mut found: Vec<String> = pairs.iter().flat_map(|(b, l)| of_level(b, l)).collect();
+    let mut found: Vec<String> = pairs.iter().flat_map(|(b, l)| of_solution(b, l)).collect();
+    if case.reference_dofs != reference_dofs(record) {
+        return found;
+    }
+    found.extend(pairs.iter().flat_map(|(b, l)| of_errors(b, l)));
     if pairs.len() == record.levels.len() && pairs.len() == case.levels.len() {
         found.extend(of_rates(case, record));
     } else if case.profile == record.profile {
@@ -36,7 +40,7 @@ pub fn drift(baseline: &Baseline, record: &StudyRecord) -> Vec<String> {
     found
 }
 
-fn of_level(b: &BaselineLevel, l: &Level) -> Vec<String> {
+fn of_solution(b: &BaselineLevel, l: &Level) -> Vec<String> {
     let mut found = Vec::new();
     if b.mesh_hash != l.mesh_hash {
         found.push(format!("level {}: mesh {}, was {}", l.level, l.mesh_hash, b.mesh_hash));
@@ -46,15 +50,16 @@ fn of_level(b: &BaselineLevel, l: &Level) -> Vec<String> {
     if moved.is_nan() || moved > ENERGY * b.energy.abs() {
         found.push(format!("level {}: energy {:.12e}, was {:.12e}", l.level, l.energy, b.energy));
     }
+    found
+}
+
+fn of_errors(b: &BaselineLevel, l: &Level) -> Vec<String> {
     let floor = ROUNDING * l.solution_energy.unwrap_or(0.0);
     let errors = [("strain", l.errors.strain, b.strain_error), ("energy", l.errors.energy, b.energy_error)];
-    found.extend(
-        errors
-            .into_iter()
-            .filter(|(_, now, was)| !same_error(*now, *was, floor))
-            .map(|(name, now, was)| format!("level {}: {name} error {}, was {}", l.level, number(now), number(was))),
-    );
-    found
+    let moved = errors.into_iter().filter(|(_, now, was)| !same_error(*now, *was, floor));
+    moved
+        .map(|(name, now, was)| format!("level {}: {name} error {}, was {}", l.level, number(now), number(was)))
+        .collect()
 }
 
 /// Equal to half a unit of the fourth significant digit, or to rounding.
@@ -92,6 +97,7 @@ fn number(value: Option<f64>) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::record::Reference;
     use crate::sample;
     use crate::store::scratch::Scratch;
 
@@ -179,5 +185,38 @@ mod tests {
         let mut other = record(5);
         other.levels.iter_mut().for_each(|l| l.dofs += 1);
         assert!(drift(&blessed(), &other)[0].contains("no level has as many dofs"));
+    }
+
+    #[test]
+    fn errors_against_another_reference_are_no_drift_but_energies_are() {
+        let against = |dofs, error| {
+            move |r: &mut StudyRecord| {
+                r.reference = Reference::Overkill {
+                    h: 0.01,
+                    dofs,
+                    energy: -1.0,
+                    estimated_error: None,
+                    stationarity: 0.0,
+                    solver: "condensed".into(),
+                };
+                r.levels[0].errors.strain = Some(error);
+            }
+        };
+        let mut coarse = record(5);
+        against(1000, 0.2)(&mut coarse);
+        let baseline = Baseline::from_records(&[coarse], &Default::default(), "0.1.0").unwrap();
+        let moved = |change: &dyn Fn(&mut StudyRecord)| {
+            let mut record = record(5);
+            change(&mut record);
+            drift(&baseline, &record)
+        };
+        assert!(moved(&against(1000, 0.2)).is_empty());
+        assert!(!moved(&against(1000, 0.25)).is_empty());
+        assert!(moved(&against(4000, 0.25)).is_empty());
+        let energy = moved(&|r| {
+            against(4000, 0.25)(r);
+            r.levels[0].energy *= 1.0 + 1e-6;
+        });
+        assert_eq!(energy.len(), 1, "{energy:?}");
     }
 }
