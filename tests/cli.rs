@@ -201,7 +201,7 @@ const KEYS: &str = "
     levels[].level levels[].h levels[].min_angle levels[].side_ratio levels[].nested levels[].dofs
     levels[].contact_pairs levels[].constraints levels[].switch_sides levels[].energy levels[].two_way levels[].mesh_hash
     levels[].errors.strain levels[].errors.energy levels[].errors.h1 levels[].errors.l2 levels[].errors.pressure_l2
-    levels[].errors.penetration_l2 levels[].errors.contact_set
+    levels[].errors.penetration_l2 levels[].errors.contact_set levels[].errors.switch_position
     levels[].ledger.lhs levels[].ledger.a levels[].ledger.b levels[].ledger.c levels[].ledger.holds
     levels[].kkt.stationarity levels[].kkt.penetration levels[].kkt.tension levels[].kkt.complementarity
     levels[].kkt.weakly_active

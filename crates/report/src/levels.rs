@@ -191,6 +191,7 @@ fn contact_columns() -> Vec<Measured<'static>> {
         measured("pressure_dual", "pressure, dual norm", |l| Cell::number(l.errors.pressure_dual)),
         measured("penetration_l2", "penetration", |l| Cell::number(l.errors.penetration_l2)),
         measured("contact_set", "contact set |C △ Cₕ|", |l| Cell::number(l.errors.contact_set)),
+        measured("switch_position", "switch point", |l| Cell::number(l.errors.switch_position)),
         measured("energy_gap", "L(uₕ)−L(u)", |l| Cell::number(l.errors.energy_gap)),
     ]
 }

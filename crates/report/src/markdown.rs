@@ -44,7 +44,7 @@ b and c the terms of the contact zone, δ the quadrature estimate of them all. W
 where they sit in their sides, so it falls unevenly or vanishes; its bound is what is claimed. Terms below 1e-14 ‖u‖² \
 in the energy norm are rounding.";
 const CONTACT_LEGEND: &str = "Active: constraints whose multiplier exceeds 1e-8 of the largest. Contact set: length of \
-the symmetric difference with the reference's.";
+the symmetric difference with the reference's. Switch point: largest distance of one of the reference's switch points from the nearest discrete one.";
 const SOLUTION_LEGEND: &str = "Two-way: relative difference of A(e,e) by quadrature and by energies. KKT: scaled \
 residuals of the optimality conditions, recomputed from the raw data. Algebraic, quadrature, geometry, reference: \
 shares of the energy error that are not discretisation.";

@@ -168,6 +168,10 @@ pub struct Errors {
     pub penetration_l2: Option<f64>,
     /// Length of the symmetric difference of the contact sets.
     pub contact_set: Option<f64>,
+    /// Largest distance of a switch point of the reference from the nearest of the discrete solution, the middle of a side
+    /// with one active end. Not in records of older runs.
+    #[serde(default)]
+    pub switch_position: Option<f64>,
     /// Error of the energy, `L(u_h) − L(u)`.
     pub energy_gap: Option<f64>,
     /// Strain seminorm on `Ω'` and on `Ω''`.

@@ -43,6 +43,12 @@ impl ContactState {
         self.active.iter().filter(|[a, b]| a != b).count()
     }
 
+    /// Where contact switches on or off: a node owns its half sides, so the middles of the sides with one active end.
+    pub fn switch_points(&self, mesh: &Mesh) -> Vec<Point> {
+        let middle = |side: usize| mesh.contact[side].first.iter().map(|&i| 0.5 * mesh.points[i as usize]).sum();
+        (0..self.active.len()).filter(|&side| self.active[side][0] != self.active[side][1]).map(middle).collect()
+    }
+
     /// `‖([u_h]_n)_+‖_{0,Γ_K}`: the jump is linear on a side, so the positive part integrates in closed form.
     pub fn penetration(&self, mesh: &Mesh) -> f64 {
         let square = |(side, jump): (usize, &[f64; 2])| side_length(mesh, side) * positive_square(*jump);
@@ -81,6 +87,8 @@ pub struct ContactErrors {
     pub contact_set: f64,
     /// Sides that hold a switch point of the exact solution inside.
     pub switch_sides: usize,
+    /// Largest distance of a switch point of the reference from the nearest discrete one.
+    pub switch_position: Option<f64>,
 }
 
 /// Measures the discrete zone against the exact solution.
@@ -92,7 +100,13 @@ pub fn against_exact(
     cubature: &Cubature,
 ) -> ContactErrors {
     let switches = exact.solution.switch_points();
-    let mut errors = ContactErrors { pressure: 0.0, pressure_dual: 0.0, contact_set: 0.0, switch_sides: 0 };
+    let mut errors = ContactErrors {
+        pressure: 0.0,
+        pressure_dual: 0.0,
+        contact_set: 0.0,
+        switch_sides: 0,
+        switch_position: farthest(&switches, &state.switch_points(mesh)),
+    };
     for (side, &normal) in zone.side_normals.iter().enumerate() {
         let ends = mesh.contact[side].first.map(|i| mesh.points[i as usize]);
         let length = side_length(mesh, side);
@@ -129,6 +143,12 @@ fn pressure_error(exact: &ExactScene, side: &Segment, normal: Vec2, [p0, p1]: [f
     square
 }
 
+/// The largest distance of a point of `from` from the nearest of `to`; nothing where either is empty.
+fn farthest(from: &[Point], to: &[Point]) -> Option<f64> {
+    let nearest = |p: &Point| to.iter().map(|q| (p - q).norm()).fold(f64::INFINITY, f64::min);
+    (!to.is_empty()).then(|| from.iter().map(nearest).reduce(f64::max)).flatten()
+}
+
 /// The share of a side on which the discrete contact set (by halves) and the exact one differ.
 fn wrong_share(switches: &[f64], active: [bool; 2], closed: impl Fn(f64) -> bool) -> f64 {
     let mut cuts = vec![0.0, 0.5, 1.0];
@@ -143,8 +163,13 @@ fn wrong_share(switches: &[f64], active: [bool; 2], closed: impl Fn(f64) -> bool
 
 /// Errors on the contact zone of a coarse solution against a discrete reference on a nested finer mesh.
 pub fn against_reference(mesh: &Mesh, state: &ContactState, fine: &Mesh, reference: &ContactState) -> ContactErrors {
-    let mut errors =
-        ContactErrors { pressure: 0.0, pressure_dual: 0.0, contact_set: 0.0, switch_sides: state.switch_sides() };
+    let mut errors = ContactErrors {
+        pressure: 0.0,
+        pressure_dual: 0.0,
+        contact_set: 0.0,
+        switch_sides: state.switch_sides(),
+        switch_position: farthest(&reference.switch_points(fine), &state.switch_points(mesh)),
+    };
     // Refinement splits every contact side into the same number of pieces, in order.
     let pieces = fine.contact.len() / mesh.contact.len();
     for (k, [r0, r1]) in reference.pressure.iter().enumerate() {
@@ -188,5 +213,13 @@ mod tests {
         assert!((wrong_share(&[0.3], [true, false], |s| s < 0.3) - 0.2).abs() < 1e-15);
         assert!((wrong_share(&[], [true, true], |_| true)).abs() < 1e-15);
         assert!((wrong_share(&[], [true, true], |_| false) - 1.0).abs() < 1e-15);
+    }
+
+    #[test]
+    fn the_farthest_switch_counts_and_none_without_a_partner() {
+        let at = |xs: &[f64]| xs.iter().map(|x| Point::new(*x, 0.0)).collect::<Vec<_>>();
+        assert_eq!(farthest(&at(&[0.3, 0.9]), &at(&[0.25, 0.5])), Some(0.4));
+        assert_eq!(farthest(&at(&[0.3]), &[]), None);
+        assert_eq!(farthest(&[], &at(&[0.3])), None);
     }
 }

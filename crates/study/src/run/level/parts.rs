@@ -36,6 +36,7 @@ pub(super) fn set_errors(
     errors.pressure_l2 = Some(contact.pressure);
     errors.pressure_dual = Some(contact.pressure_dual);
     errors.contact_set = Some(contact.contact_set);
+    errors.switch_position = contact.switch_position;
     errors.energy_gap = Some(energy_gap);
     errors.strain_bodies = Some(e.strain.map(f64::sqrt));
     errors.interpolation = Some(interpolation);
