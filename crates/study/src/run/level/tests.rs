@@ -88,3 +88,18 @@ fn the_ledger_holds_is_doubtful_or_broken_by_its_tolerance() {
     assert_eq!(holds(1.5 + 5e-6), None);
     assert_eq!(holds(1.5 + 2e-5), Some(false));
 }
+
+/// Two intervals from the same end differ by the distance of their other ends, however each was measured.
+#[test]
+fn one_switch_point_is_off_by_the_length_that_the_contact_sets_differ_in() {
+    let case = sample::case("theorem-3-1-natural", "structured");
+    let exact = case.scene.exact.as_ref().unwrap();
+    let by_exact = [0, 1].map(|index| task(&case).against_exact(exact, index).unwrap().0);
+    let case = sample::case("theorem-3-1-natural", "structured-overkill");
+    let (reference, _) = task(&case).overkill(32).unwrap();
+    let by_overkill = [0, 1].map(|index| task(&case).against_overkill(&reference, index, index).unwrap().0);
+    for level in by_exact.iter().chain(&by_overkill) {
+        let (position, length) = (level.errors.switch_position.unwrap(), level.errors.contact_set.unwrap());
+        assert!(position > 1e-3 && (position - length).abs() < 1e-12, "n = {}: {position} {length}", level.cells);
+    }
+}
