@@ -71,6 +71,6 @@ pub mod sum;
 pub mod zone;
 
 pub use error::Error;
-pub use geometry::{Point, Vec2};
+pub use geometry::{ContactLine, Path, Point, Vec2};
 pub use material::Material;
 pub use mesh::Body;

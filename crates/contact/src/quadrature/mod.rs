@@ -11,7 +11,7 @@ mod tests;
 use crate::geometry::{Point, Segment, twice_area};
 use cut::{crossing, cut_leaf};
 use rules::five_points;
-pub use rules::{conical_points, seven_points};
+pub use rules::{GAUSS_8, conical_points, seven_points};
 
 /// A leaf may be this large relative to its distance from a singular point.
 pub const GRADING: f64 = 0.6;

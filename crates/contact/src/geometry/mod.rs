@@ -1,4 +1,18 @@
-//! Points, segments and polylines of the plane.
+//! Points, segments and curves of the plane.
+
+mod circle;
+mod contact_line;
+mod curve;
+mod graph;
+mod path;
+mod spline;
+
+pub use circle::CircularArc;
+pub use contact_line::{ContactLine, LinePoint};
+pub use curve::{Curve, SharedCurve, arc_length};
+pub use graph::{Graph, GraphFn};
+pub use path::{Path, Piece};
+pub use spline::Spline;
 
 /// A vector of the plane: displacements, tractions, normals.
 pub type Vec2 = nalgebra::Vector2<f64>;
