@@ -158,7 +158,7 @@ fn verify_exact(case: &Case) -> Result<(), RunError> {
             Ok(())
         };
     };
-    verify::verify(exact.solution.as_ref(), &exact.materials, &case.scene.contact)
+    verify::verify(exact.solution.as_ref(), &exact.materials, &case.scene.contact.clone().into())
         .map(|_| ())
         .map_err(|e| RunError::Exact(e.to_string()))
 }

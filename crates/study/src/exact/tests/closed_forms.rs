@@ -34,7 +34,7 @@ fn both_patches_pass_on_their_corners() {
             let v = verify(&*exact, &materials(lame), &contact).unwrap_or_else(|e| panic!("{e}"));
             assert_eq!(v.points, 2 * 257);
             for (side, expected) in [(0, left), (1, -1.0)] {
-                let (a, b) = (contact[side], contact[side + 1]);
+                let (a, b) = (contact.corners()[side], contact.corners()[side + 1]);
                 let n = signorini_contact::geometry::right_normal(a, b);
                 let at = 0.3 * a + 0.7 * b;
                 let t = contact_stress(&*exact, &materials(lame)[0], at, n);

@@ -6,7 +6,7 @@ mod names;
 mod rejected;
 
 use super::{Exact, built_in};
-use signorini_contact::{Material, Point, material::Lame};
+use signorini_contact::{ContactLine, Material, Point, material::Lame};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -47,12 +47,12 @@ const ON_SQUARES: [(&str, &[(&str, f64)]); 14] = [
 ];
 
 /// The line `y = 0` with `Ω'` on its left.
-fn line() -> Vec<Point> {
-    vec![Point::new(0.0, 0.0), Point::new(1.0, 0.0)]
+fn line() -> ContactLine {
+    ContactLine::polyline([Point::new(0.0, 0.0), Point::new(1.0, 0.0)])
 }
 
 /// Contact polylines of the two patches.
-fn corner(patch: u32) -> Vec<Point> {
+fn corner(patch: u32) -> ContactLine {
     let (left, right) = if patch == 1 { (0.2, 0.5) } else { (1.0, 1.0) };
-    vec![Point::new(-1.0, left), Point::new(0.0, 0.0), Point::new(1.0, right)]
+    ContactLine::polyline([Point::new(-1.0, left), Point::new(0.0, 0.0), Point::new(1.0, right)])
 }
