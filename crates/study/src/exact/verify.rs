@@ -71,7 +71,8 @@ fn checked(exact: &dyn Exact, materials: &[Material; 2], contact: &ContactLine) 
         let bound = TOLERANCE * scale;
         for s in &samples {
             let (body, value) = residual(s);
-            demand(value <= bound, condition, body, s.at, value, bound)?;
+            let at = s.at[body.map_or(0, Body::index)];
+            demand(value <= bound, condition, body, at, value, bound)?;
         }
     }
     let pieces = contact.pieces();
@@ -91,8 +92,8 @@ type Check = (Condition, f64, fn(&Sample) -> Residual);
 
 /// Everything at one point of the contact zone.
 struct Sample {
-    /// On the boundary of `Ω'`.
-    at: Point,
+    /// On the boundary of `Ω'` and of `Ω''`.
+    at: [Point; 2],
     jets: [Jet2; 2],
     /// Largest `|u|`, largest stress component.
     size: [f64; 2],
@@ -108,11 +109,11 @@ impl Sample {
     fn new(exact: &dyn Exact, materials: &[Material; 2], point: &LinePoint) -> Self {
         let (at, n) = (point.at, point.normal);
         let tau = Body::BOTH.map(|b| stress(exact, &materials[b.index()], b, at[b.index()]));
-        let [first, second] = Body::BOTH
-            .map(|b| traction(exact, &materials[b.index()], b, at[b.index()], point.conormals[b.index()]));
+        let [first, second] =
+            Body::BOTH.map(|b| traction(exact, &materials[b.index()], b, at[b.index()], point.conormals[b.index()]));
         let u = Body::BOTH.map(|b| exact.value(b, at[b.index()]).norm());
         Self {
-            at: at[0],
+            at,
             jets: Body::BOTH.map(|b| exact.jet2(b, at[b.index()])),
             size: [u[0].max(u[1]), tau.iter().flatten().fold(0.0, |m: f64, t| m.max(t.abs()))],
             jump: jump_at(exact, point) - point.gap,
@@ -140,11 +141,7 @@ fn larger(values: [f64; 2]) -> Residual {
 }
 
 /// The samples of every piece; all of them finite.
-fn sampled(
-    exact: &dyn Exact,
-    materials: &[Material; 2],
-    contact: &ContactLine,
-) -> Result<Vec<Sample>, VerifyError> {
+fn sampled(exact: &dyn Exact, materials: &[Material; 2], contact: &ContactLine) -> Result<Vec<Sample>, VerifyError> {
     let singular = exact.singular_points();
     let near = |at: &Point| singular.iter().any(|s| (s - at).norm() < AVOIDED);
     let mut all = Vec::new();

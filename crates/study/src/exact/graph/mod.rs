@@ -51,12 +51,7 @@ impl<D: Real> Across<D> {
         // 1/D, D = L μ (1 + F²)²
         let scale = (stretched * stretched * (modulus * lame.mu)).recip();
         let mixed = slope * (lame.lambda + lame.mu) * scale;
-        Self {
-            rows: [
-                [(square * modulus + lame.mu) * scale, mixed],
-                [mixed, (square * lame.mu + modulus) * scale],
-            ],
-        }
+        Self { rows: [[(square * modulus + lame.mu) * scale, mixed], [mixed, (square * lame.mu + modulus) * scale]] }
     }
 
     /// `(c, b)`.
