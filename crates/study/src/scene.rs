@@ -1,12 +1,24 @@
 //! A scene as the discrete problem wants it: supports, loads and boundary data, and where quadrature has to take care.
 
 use crate::exact::derived;
+use crate::family::Domain;
 use crate::study::{ExactScene, PartCondition, Scene, VectorField};
+use signorini_contact::geometry::LinePoint;
 use signorini_contact::problem::{Data, Support};
 use signorini_contact::quadrature::Cubature;
 use signorini_contact::{Body, Point, Vec2};
 
 impl Scene {
+    /// What is meshed.
+    pub fn domain(&self) -> Domain<'_> {
+        Domain {
+            shapes: &self.bodies,
+            outlines: self.part_outlines(),
+            contact: &self.contact,
+            discretisation: self.discretisation,
+        }
+    }
+
     /// The support of each part, in the order of the mesh's parts.
     pub fn supports(&self) -> Vec<Support> {
         let support = |condition: &PartCondition| match condition {
@@ -71,14 +83,14 @@ impl ExactScene {
         derived::traction(self.solution.as_ref(), &self.materials[body.index()], body, x, normal)
     }
 
-    /// `T_n = n·τ(u')n` for the outward normal `n` of `Ω'`; not positive where the bodies press.
-    pub fn contact_stress(&self, x: Point, normal: Vec2) -> f64 {
-        derived::contact_stress(self.solution.as_ref(), &self.materials[0], x, normal)
+    /// `T_n`, or across a gap `T_ξ` per unit of `η`, at a point of the contact zone; not positive where the bodies press.
+    pub fn contact_stress(&self, point: &LinePoint) -> f64 {
+        derived::contact_stress_at(self.solution.as_ref(), &self.materials[0], point)
     }
 
-    /// `[u]_n = n·(u' − u'')`; negative where the bodies are apart.
-    pub fn jump(&self, x: Point, normal: Vec2) -> f64 {
-        derived::jump(self.solution.as_ref(), x, normal)
+    /// `n·(u' − u'') − ε`; negative where the bodies are apart.
+    pub fn opening(&self, point: &LinePoint) -> f64 {
+        derived::jump_at(self.solution.as_ref(), point) - point.gap
     }
 }
 
@@ -107,7 +119,7 @@ mod tests {
         let supports = scene.supports();
         assert!(supports.contains(&Support::Fixed) && supports.contains(&Support::Traction));
         for (k, part) in scene.parts.iter().enumerate() {
-            let (a, b) = (part.along[0], part.along[1]);
+            let (a, b) = (part.along.corners[0], part.along.corners[1]);
             let (x, n) = (0.7 * a + 0.3 * b, right_normal(a, b));
             let u = exact.solution.value(part.body, x);
             match supports[k] {

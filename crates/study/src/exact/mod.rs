@@ -1,5 +1,6 @@
 //! Exact solutions of contact problems: built-in closed forms and expressions of a study file.
 
+pub mod arc;
 mod built_in;
 mod cell;
 mod condition;
@@ -7,6 +8,7 @@ pub mod derived;
 mod differences;
 mod expression;
 mod field;
+pub mod graph;
 mod line;
 mod many_switches;
 mod natural;
@@ -19,10 +21,13 @@ mod power_law;
 mod tests;
 mod tiles;
 pub mod verify;
+mod wedge;
 
+pub use arc::{ArcPolynomial, ArcPowerLaw};
 pub use built_in::{BUILT_INS, BuiltIn, built_in, sobolev_order};
 pub use expression::{ComponentError, Expressions};
 pub use field::Field;
+pub use graph::{GapShape, GraphPolynomial, GraphPowerLaw};
 pub use many_switches::ManySwitches;
 pub use natural::Natural;
 pub use parameters::Parameter;

@@ -31,9 +31,12 @@ pub fn text(case: &Case, layer: &Layer<'_>, claim: &Claim) -> String {
 fn contact(lines: &mut Lines, scene: &Scene, layer: &Layer<'_>) {
     bodies(lines, scene, layer);
     for (raw, part) in layer.boundary.unwrap_or_default().iter().zip(&scene.parts) {
-        lines.put("part", format!("{:?} {} {}", part.body, points(&part.along), condition(raw)));
+        lines.put("part", format!("{:?} {} {}", part.body, part.along.describe(), condition(raw)));
     }
-    lines.put("contact", points(&scene.contact));
+    lines.put("contact", scene.contact.describe());
+    if scene.discretisation != Default::default() {
+        lines.put("discretisation", format!("{:?}", scene.discretisation));
+    }
     if let (Some(raw), Some(exact)) = (layer.exact, &scene.exact) {
         lines.put("exact", solution(raw.get_ref()));
         lines.put("exact materials", format!("{} {}", law(&exact.materials[0]), law(&exact.materials[1])));
@@ -51,8 +54,13 @@ impl Lines {
 
 fn bodies(lines: &mut Lines, scene: &Scene, layer: &Layer<'_>) {
     for (i, raw) in layer.body.unwrap_or_default().iter().enumerate() {
-        for Block { corners, divisions } in &scene.bodies[i].blocks {
+        for Block { corners, divisions, curves } in &scene.bodies[i].blocks {
             lines.put("block", format!("{} {divisions:?}", points(corners)));
+            for (k, curve) in curves.iter().enumerate() {
+                if let Some(curve) = curve {
+                    lines.put("curved side", format!("{k} {}", curve.describe()));
+                }
+            }
         }
         lines.put("material", law(&scene.materials[i]));
         lines.put("force", raw.get_ref().force.as_ref().map_or("from the exact solution, or none".into(), field));

@@ -8,6 +8,8 @@
 
 mod boundary;
 mod canonical;
+mod curve;
+mod discretisation;
 mod error;
 mod exact;
 mod field;

@@ -50,8 +50,7 @@ pub fn check_case(case: &Case, profile: Profile) -> Result<Vec<CheckedLevel>, Ru
 }
 
 fn check_level(case: &Case, scene: &Scene, cells: &[usize], index: usize) -> Result<CheckedLevel, RunError> {
-    let meshed =
-        family::build_level(&case.family, &scene.bodies, &scene.part_outlines(), &scene.contact, cells, index)?;
+    let meshed = family::build_level(&case.family, &scene.domain(), cells, index)?;
     let supports = scene.supports();
     let cubature = scene.cubature(0, case.fixed_quadrature);
     let mesh = meshed.hierarchy.finest();

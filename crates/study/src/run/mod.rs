@@ -11,6 +11,7 @@ mod reference;
 pub mod timing;
 #[cfg(test)]
 mod twins;
+mod zone_ledger;
 
 use crate::error::RunError;
 use crate::exact::verify;

@@ -107,7 +107,7 @@ fn every_scene_can_be_meshed_and_its_angles_are_not_small() {
     for study in shipped().sources.iter().map(|s| s.load().unwrap()) {
         for c in &study.cases {
             let (scene, cells) = (c.scene().unwrap(), &c.quick[..1]);
-            let level = build_level(&c.family, &scene.bodies, &scene.part_outlines(), &scene.contact, cells, 0)
+            let level = build_level(&c.family, &scene.domain(), cells, 0)
                 .unwrap_or_else(|e| panic!("{} {}: {e}", study.id, c.name));
             assert!(level.quality.min_angle > 10.0, "{} {}: {}°", study.id, c.name, level.quality.min_angle);
         }
@@ -121,8 +121,8 @@ fn corner_patches_press_on_both_flanks() {
     assert_eq!(study.claim.kind, ClaimKind::Exact);
     for c in &study.cases {
         let exact = c.scene().unwrap().exact.as_ref().unwrap();
-        assert_eq!(c.scene().unwrap().contact[1], Point::new(0.0, 0.0));
-        for w in c.scene().unwrap().contact.windows(2) {
+        assert_eq!(c.scene().unwrap().contact.corners()[1], Point::new(0.0, 0.0));
+        for w in c.scene().unwrap().contact.corners().windows(2) {
             // Ω' on the left of the polyline, so its outward normal is on the right.
             let n = right_normal(w[0], w[1]);
             let x = 0.3 * w[0] + 0.7 * w[1];

@@ -47,15 +47,7 @@ pub struct Task<'a> {
 impl Task<'_> {
     /// The mesh of a level.
     fn mesh(&self, index: usize) -> Result<MeshLevel, RunError> {
-        let scene = self.scene;
-        Ok(family::build_level(
-            &self.case.family,
-            &scene.bodies,
-            &scene.part_outlines(),
-            &scene.contact,
-            self.cells,
-            index,
-        )?)
+        Ok(family::build_level(&self.case.family, &self.scene.domain(), self.cells, index)?)
     }
 
     /// Measures a level against the exact solution.
@@ -66,18 +58,25 @@ impl Task<'_> {
         watch.lap(|t| &mut t.mesh);
         let interpolant: Vec<Vec2> =
             mesh.points.iter().zip(&mesh.node_bodies).map(|(x, body)| exact.solution.value(*body, *x)).collect();
-        let zone = Zone::new(mesh);
         let fixed = self.case.fixed_quadrature;
-        let Pair { base, fine } = Pair::new(self.scene, exact, mesh, &zone, &interpolant, fixed);
+        let Pair { base, fine } = Pair::new(self.scene, exact, mesh, &interpolant, fixed);
         let cubature = self.scene.cubature(1, fixed);
         let supports = self.scene.supports();
         let problem = self.problem(mesh, &supports, &cubature);
         let discrete = problem.discretise_zone(fine.load.clone(), (self.constrain)(mesh))?;
         watch.lap(|t| &mut t.assembly);
         let solved = self.solve(&problem, discrete, &mut watch);
-        let measured =
-            ExactMeasurement { task: self, mesh, base: &base, fine: &fine, interpolant: &interpolant, solved: &solved };
-        let contact = contact::against_exact(exact, mesh, &solved.discrete.zone, &solved.state, &cubature);
+        let measured = ExactMeasurement {
+            task: self,
+            mesh,
+            base: &base,
+            fine: &fine,
+            exact,
+            cubature: &cubature,
+            interpolant: &interpolant,
+            solved: &solved,
+        };
+        let contact = contact::against_exact(exact, mesh, &solved.state, &cubature);
         let mut level = self.level(index, &meshed, &solved);
         measured.fill(&mut level, &contact);
         watch.lap(|t| &mut t.error);
@@ -129,14 +128,7 @@ impl Task<'_> {
     pub fn overkill(&self, cells: usize) -> Result<(Overkill, LevelTimes), RunError> {
         let mut watch = Stopwatch::start();
         let scene = self.scene;
-        let hierarchy = family::build_reference(
-            &self.case.family,
-            &scene.bodies,
-            &scene.part_outlines(),
-            &scene.contact,
-            self.cells,
-            cells,
-        )?;
+        let hierarchy = family::build_reference(&self.case.family, &scene.domain(), self.cells, cells)?;
         watch.lap(|t| &mut t.mesh);
         let supports = scene.supports();
         let cubature = scene.cubature(0, self.case.fixed_quadrature);
@@ -201,7 +193,7 @@ impl Task<'_> {
             solution_trace: Some(largest_component(&solution.displacement) * zone_length(finest).sqrt()),
             two_way: None,
             mesh_hash: meshed.hash.clone(),
-            errors: Errors { penetration_l2: Some(state.penetration(finest)), ..Default::default() },
+            errors: Errors { penetration_l2: Some(state.penetration()), ..Default::default() },
             ledger: None,
             kkt: certificate(discrete, solution),
             budget: Budget::default(),

@@ -90,7 +90,7 @@ fn shares_of_rounding_are_no_numbers() {
 
 #[test]
 fn the_ledger_holds_is_doubtful_or_broken_by_its_tolerance() {
-    let holds = |lhs| parts::ledger(lhs, 1.0, 0.5, 1e-6, 1.0).holds;
+    let holds = |lhs| parts::ledger(lhs, [1.0, 0.3, 0.2], 1e-6, 1.0).holds;
     assert_eq!(holds(1.5 + 0.9e-6), Some(true));
     assert_eq!(holds(1.5 + 5e-6), None);
     assert_eq!(holds(1.5 + 2e-5), Some(false));
