@@ -18,6 +18,7 @@ mod power_law;
 #[cfg(test)]
 mod tests;
 mod tiles;
+mod traces;
 pub mod verify;
 
 pub use built_in::{BUILT_INS, BuiltIn, built_in, sobolev_order};
@@ -30,6 +31,7 @@ pub use patch::CornerPatch;
 pub use polynomial::Polynomial;
 pub use power_law::PowerLaw;
 pub use tiles::Tiles;
+pub use traces::{LineText, TraceError, TraceName, TraceTexts, Traces};
 
 use signorini_contact::{Body, Point, Vec2, geometry::Segment};
 
