@@ -38,8 +38,8 @@ pub struct Traces {
     pub switches: Vec<f64>,
     /// Parameters where derivatives blow up.
     pub singular: Vec<f64>,
-    /// Parameters where a derivative of a trace jumps that the first or second derivatives of the displacement see: the
-    /// break runs through both bodies, where the parameter is constant.
+    /// Parameters where a derivative jumps, up to the third of `w`, `a` and `f` or the second of `p`: there the displacement
+    /// breaks across the line on which the parameter is constant, in both bodies.
     pub breaks: Vec<f64>,
     /// How far breaks run from the contact line into the bodies; at least the diameter of either body.
     pub reach: f64,
