@@ -35,8 +35,8 @@ pub struct Study {
 pub struct Case {
     /// Name, unique in the study.
     pub name: String,
-    /// Bodies, materials, loads, contact.
-    pub scene: Scene,
+    /// What is measured.
+    pub subject: Subject,
     /// Family of triangulations.
     pub family: Family,
     /// Cells per unit of the coarse block division on each level, coarsest first: quick profile.
@@ -66,6 +66,21 @@ pub struct Case {
     /// Everything of the case that can change a number or the verdict, one fact per line: what
     /// [`Case::fingerprint`] hashes.
     pub canonical: String,
+}
+
+/// What a case measures.
+#[derive(Clone)]
+pub enum Subject {
+    /// A contact problem, solved on every level.
+    Contact(Box<Scene>),
+}
+
+impl Case {
+    /// The scene of a contact problem.
+    pub fn scene(&self) -> Option<&Scene> {
+        let Subject::Contact(scene) = &self.subject;
+        Some(scene)
+    }
 }
 
 /// Reference solution of a case.

@@ -7,7 +7,7 @@ use super::layer::Layer;
 use super::number::Finite;
 use super::raw::{RawBoundary, RawExact, RawField, RawPoint, RawTraces};
 use crate::claim::Claim;
-use crate::study::{Block, Case};
+use crate::study::{Block, Case, Scene, Subject};
 use signorini_contact::{Material, Point};
 use std::fmt::Write;
 use toml::Spanned;
@@ -15,17 +15,8 @@ use toml::Spanned;
 /// One line per fact, in a fixed order.
 pub fn text(case: &Case, layer: &Layer<'_>, claim: &Claim) -> String {
     let mut lines = Lines(String::new());
-    bodies(&mut lines, case, layer);
-    for (raw, part) in layer.boundary.unwrap_or_default().iter().zip(&case.scene.parts) {
-        lines.put("part", format!("{:?} {} {}", part.body, points(&part.along), condition(raw)));
-    }
-    lines.put("contact", points(&case.scene.contact));
-    if let (Some(raw), Some(exact)) = (layer.exact, &case.scene.exact) {
-        lines.put("exact", solution(raw.get_ref()));
-        if let Some(given) = &raw.get_ref().traces {
-            lines.put("traces", traces(given.get_ref()));
-        }
-        lines.put("exact materials", format!("{} {}", law(&exact.materials[0]), law(&exact.materials[1])));
+    match &case.subject {
+        Subject::Contact(scene) => contact(&mut lines, scene, layer),
     }
     lines.put("parameters", format!("{:?}", layer.parameters));
     lines.put("family", format!("{:?}", case.family));
@@ -39,6 +30,21 @@ pub fn text(case: &Case, layer: &Layer<'_>, claim: &Claim) -> String {
     lines.0
 }
 
+fn contact(lines: &mut Lines, scene: &Scene, layer: &Layer<'_>) {
+    bodies(lines, scene, layer);
+    for (raw, part) in layer.boundary.unwrap_or_default().iter().zip(&scene.parts) {
+        lines.put("part", format!("{:?} {} {}", part.body, points(&part.along), condition(raw)));
+    }
+    lines.put("contact", points(&scene.contact));
+    if let (Some(raw), Some(exact)) = (layer.exact, &scene.exact) {
+        lines.put("exact", solution(raw.get_ref()));
+        if let Some(given) = &raw.get_ref().traces {
+            lines.put("traces", traces(given.get_ref()));
+        }
+        lines.put("exact materials", format!("{} {}", law(&exact.materials[0]), law(&exact.materials[1])));
+    }
+}
+
 struct Lines(String);
 
 impl Lines {
@@ -48,12 +54,12 @@ impl Lines {
     }
 }
 
-fn bodies(lines: &mut Lines, case: &Case, layer: &Layer<'_>) {
+fn bodies(lines: &mut Lines, scene: &Scene, layer: &Layer<'_>) {
     for (i, raw) in layer.body.unwrap_or_default().iter().enumerate() {
-        for Block { corners, divisions } in &case.scene.bodies[i].blocks {
+        for Block { corners, divisions } in &scene.bodies[i].blocks {
             lines.put("block", format!("{} {divisions:?}", points(corners)));
         }
-        lines.put("material", law(&case.scene.materials[i]));
+        lines.put("material", law(&scene.materials[i]));
         lines.put("force", raw.get_ref().force.as_ref().map_or("from the exact solution, or none".into(), field));
     }
 }

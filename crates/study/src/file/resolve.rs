@@ -8,7 +8,7 @@ use super::raw::{Expect, RawBody, RawStudy};
 use super::{boundary, exact, judge, material, plan, shape, words};
 use crate::claim::Claim;
 use crate::record::Outcome;
-use crate::study::{Case, ReferencePlan, Scene, Study};
+use crate::study::{Case, ReferencePlan, Scene, Study, Subject};
 use std::collections::BTreeMap;
 use std::ops::Range;
 use std::path::Path;
@@ -68,7 +68,7 @@ fn case(name: &Spanned<String>, layer: Layer<'_>, claim: &Claim) -> Result<Case,
     let mut case = Case {
         name: name.get_ref().clone(),
         notes: notes(&layer, &scene, &reference),
-        scene,
+        subject: Subject::Contact(Box::new(scene)),
         family,
         quick,
         full,

@@ -49,8 +49,20 @@ pub struct Traces {
 #[derive(Clone, Debug)]
 enum Line {
     Straight,
-    Arc { centre: Point, radius: f64, middle: f64 },
-    Graph { f: [Expression; 2], slope: [Expression; 2] },
+    Arc {
+        centre: Point,
+        radius: f64,
+        middle: f64,
+    },
+    /// Of `Ω'` and of `Ω''`.
+    Graph(Box<[Function; 2]>),
+}
+
+/// A function with its derivative.
+#[derive(Clone, Debug)]
+struct Function {
+    value: Expression,
+    slope: Expression,
 }
 
 /// The traces of one body with their slopes by the parameter.
@@ -84,9 +96,9 @@ impl Traces {
                 let u = [across * cos - along * sin, across * sin + along * cos];
                 (u, [cos * *radius + centre.x, sin * *radius + centre.y])
             }
-            Line::Graph { f, slope } => {
-                let i = body.index();
-                let (foot, slope) = (f[i].eval(&[y]), slope[i].eval(&[y]));
+            Line::Graph(f) => {
+                let f = &f[body.index()];
+                let (foot, slope) = (f.value.eval(&[y]), f.slope.eval(&[y]));
                 (lemma::graph(&self.trace(body, y), lame, slope, x - foot), [foot, y])
             }
         }
@@ -97,7 +109,7 @@ impl Traces {
         match &self.line {
             Line::Straight => vec![Point::new(parameter, 0.0)],
             Line::Arc { centre, radius, .. } => vec![centre + *radius * ray(parameter)],
-            Line::Graph { f, .. } => f.iter().map(|f| Point::new(f.eval(&[parameter]), parameter)).collect(),
+            Line::Graph(f) => f.iter().map(|f| Point::new(f.value.eval(&[parameter]), parameter)).collect(),
         }
     }
 
@@ -111,7 +123,7 @@ impl Traces {
                 let inward = self.reach.min(*radius);
                 Segment { a: points[0] - inward * ray(parameter), b: centre + (radius + self.reach) * ray(parameter) }
             }
-            Line::Graph { .. } => around(&[points[1], points[0]], self.reach * Vec2::x()),
+            Line::Graph(_) => around(&[points[1], points[0]], self.reach * Vec2::x()),
         }
     }
 }

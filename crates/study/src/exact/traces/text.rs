@@ -1,6 +1,6 @@
 //! Traces as a study writes them, and what may be wrong with them.
 
-use super::{BodyTraces, Line, Traces};
+use super::{BodyTraces, Function, Line, Traces};
 use crate::expr::{ExprError, Expression};
 use signorini_contact::{Body, Point, material::Lame};
 use std::collections::BTreeMap;
@@ -133,7 +133,7 @@ impl Traces {
             LineText::Arc { centre, radius, middle } => Line::Arc { centre, radius, middle },
             LineText::Graph { f } => {
                 let f = [of(Body::First, TraceName::F, f)?, of(Body::Second, TraceName::F, f)?];
-                Line::Graph { slope: f.each_ref().map(|f| f.derivative(0)), f }
+                Line::Graph(Box::new(f.map(|value| Function { slope: value.derivative(0), value })))
             }
         };
         let body = |body: Body| -> Result<BodyTraces, TraceError> {

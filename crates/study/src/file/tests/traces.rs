@@ -60,7 +60,7 @@ fn parse(exact: &str) -> Result<Case, crate::file::StudyError> {
 fn solution(exact: &str) -> Arc<dyn Exact> {
     let case = parse(exact).unwrap_or_else(|e| panic!("{e}"));
     assert_eq!(case.reference, ReferencePlan::Exact);
-    case.scene.exact.as_ref().unwrap().solution.clone()
+    case.scene().unwrap().exact.as_ref().unwrap().solution.clone()
 }
 
 #[test]

@@ -20,7 +20,7 @@ struct Setting {
 impl Setting {
     fn new(study: &str, cells: usize) -> Self {
         let case = sample::case(study, "structured");
-        let scene = &case.scene;
+        let scene = case.scene().unwrap();
         let outlines = scene.part_outlines();
         let level = build_level(&case.family, &scene.bodies, &outlines, &scene.contact, &[cells], 0).unwrap();
         let mesh = level.hierarchy.finest();
@@ -37,12 +37,12 @@ impl Setting {
     }
 
     fn exact(&self) -> &ExactScene {
-        self.case.scene.exact.as_ref().unwrap()
+        self.case.scene().unwrap().exact.as_ref().unwrap()
     }
 
     /// Two refinements beyond what is used.
     fn cubature(&self) -> Cubature {
-        self.case.scene.cubature(3, false)
+        self.case.scene().unwrap().cubature(3, false)
     }
 }
 
@@ -70,7 +70,7 @@ fn error_norms_are_those_of_direct_quadrature() {
             let jet = s.exact().solution.jet(body, x);
             (jet.value, jet.gradient)
         };
-        let materials = &s.case.scene.materials;
+        let materials = &s.case.scene().unwrap().materials;
         let fields = [v.as_slice(), s.interpolant.as_slice()];
         let direct = of_differences(s.mesh(), materials, &u, fields, &s.cubature());
         for (found, direct) in [s.fine.error(s.mesh(), materials, &d), s.fine.interpolation].iter().zip(direct) {
@@ -87,7 +87,7 @@ fn error_norms_are_those_of_direct_quadrature() {
 fn loads_are_those_of_the_assembly() {
     for (study, tolerance) in STUDIES {
         let s = Setting::new(study, 5);
-        let scene = &s.case.scene;
+        let scene = s.case.scene().unwrap();
         let direct = assembly::loads(s.mesh(), &scene.supports(), scene, &s.cubature()).unwrap();
         let largest = direct.iter().map(|f| f.norm()).fold(0.0, f64::max);
         for (found, direct) in s.fine.load.iter().zip(&direct) {

@@ -21,7 +21,7 @@ pub(super) struct ExactMeasurement<'a> {
 
 impl ExactMeasurement<'_> {
     pub fn fill(&self, level: &mut Level, contact: &ContactErrors) {
-        let materials = &self.task.case.scene.materials;
+        let materials = &self.task.scene.materials;
         let (discrete, solution) = (&self.solved.discrete, &self.solved.solution);
         let d = differences(self.interpolant, &solution.displacement);
         let (base, fine) = (self.base.error(self.mesh, materials, &d), self.fine.error(self.mesh, materials, &d));

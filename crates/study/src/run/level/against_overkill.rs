@@ -18,7 +18,7 @@ impl Task<'_> {
         solved: &Solved,
         coarse_load: &[Vec2],
     ) {
-        let materials = &self.case.scene.materials;
+        let materials = &self.scene.materials;
         let (discrete, solution) = (&solved.discrete, &solved.solution);
         let fine_mesh = reference.hierarchy.finest();
         let v = reference.prolong(at, &solution.displacement);
