@@ -4,11 +4,13 @@
 //! with the fewest digits that read back the same.
 
 use super::layer::Layer;
-use super::raw::{RawBoundary, RawExact, RawField, RawPoint};
+use super::number::Finite;
+use super::raw::{RawBoundary, RawExact, RawField, RawPoint, RawTraces};
 use crate::claim::Claim;
 use crate::study::{Block, Case, Scene, Subject};
 use signorini_contact::{Material, Point};
 use std::fmt::Write;
+use toml::Spanned;
 
 /// One line per fact, in a fixed order.
 pub fn text(case: &Case, layer: &Layer<'_>, claim: &Claim) -> String {
@@ -39,6 +41,9 @@ fn contact(lines: &mut Lines, scene: &Scene, layer: &Layer<'_>) {
     }
     if let (Some(raw), Some(exact)) = (layer.exact, &scene.exact) {
         lines.put("exact", solution(raw.get_ref()));
+        if let Some(given) = &raw.get_ref().traces {
+            lines.put("traces", traces(given.get_ref()));
+        }
         lines.put("exact materials", format!("{} {}", law(&exact.materials[0]), law(&exact.materials[1])));
     }
 }
@@ -79,6 +84,31 @@ fn solution(raw: &RawExact) -> String {
     let list = |points: &[RawPoint]| points.iter().map(|p| format!("({:?}, {:?})", p[0].0, p[1].0)).collect::<String>();
     let breaks: String = raw.breaks.iter().map(|s| list(&s.0)).collect();
     format!("{name} {first} {second} [{}] [{breaks}] [{}]", list(&raw.singular), list(&raw.switches))
+}
+
+fn traces(raw: &RawTraces) -> String {
+    let pair = |f: Option<&RawField>| f.map_or("-".into(), field);
+    let number = |x: &Option<Spanned<Finite>>| x.as_ref().map_or("-".into(), |x| format!("{:?}", x.get_ref().0));
+    let list = |numbers: &[Finite]| format!("{:?}", numbers.iter().map(|x| x.0).collect::<Vec<f64>>());
+    let centre =
+        raw.centre.as_ref().map_or("-".into(), |c| format!("({:?}, {:?})", c.get_ref()[0].0, c.get_ref()[1].0));
+    [
+        format!(
+            "{} {} {centre} {}",
+            raw.lemma.get_ref().word(),
+            pair(raw.f.as_ref().map(Spanned::get_ref)),
+            number(&raw.radius)
+        ),
+        format!("{} w {} a {} p {:?}", number(&raw.middle), field(&raw.w), field(&raw.a), raw.p.get_ref()),
+        format!(
+            "cutoff {} {} {} {}",
+            pair(raw.cutoff.as_ref()),
+            list(&raw.switches),
+            list(&raw.singular),
+            list(&raw.breaks)
+        ),
+    ]
+    .join(" ")
 }
 
 fn field(raw: &RawField) -> String {

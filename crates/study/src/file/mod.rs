@@ -27,6 +27,7 @@ mod shape;
 mod shipped;
 #[cfg(test)]
 mod tests;
+mod traces;
 mod words;
 
 pub use error::{Position, StudyError};

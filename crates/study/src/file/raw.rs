@@ -226,6 +226,7 @@ pub struct RawExact {
     pub builtin: Option<Spanned<String>>,
     pub first: Option<RawField>,
     pub second: Option<RawField>,
+    pub traces: Option<Spanned<RawTraces>>,
     #[serde(default)]
     pub singular: Vec<RawPoint>,
     #[serde(default)]
@@ -233,6 +234,45 @@ pub struct RawExact {
     #[serde(default)]
     pub switches: Vec<RawPoint>,
     pub materials: Option<Spanned<Fixed<RawLame, 2>>>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawTraces {
+    pub lemma: Spanned<LemmaName>,
+    pub w: RawField,
+    pub a: RawField,
+    pub p: Spanned<String>,
+    pub f: Option<Spanned<RawField>>,
+    pub centre: Option<Spanned<RawPoint>>,
+    pub radius: Option<Spanned<Finite>>,
+    pub middle: Option<Spanned<Finite>>,
+    pub cutoff: Option<RawField>,
+    #[serde(default)]
+    pub switches: Vec<Finite>,
+    #[serde(default)]
+    pub singular: Vec<Finite>,
+    #[serde(default)]
+    pub breaks: Vec<Finite>,
+}
+
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq)]
+#[serde(rename_all = "kebab-case")]
+pub enum LemmaName {
+    Line,
+    Arc,
+    Graph,
+}
+
+impl LemmaName {
+    /// As it is written in the file.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Line => "line",
+            Self::Arc => "arc",
+            Self::Graph => "graph",
+        }
+    }
 }
 
 #[derive(Deserialize)]

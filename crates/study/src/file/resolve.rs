@@ -132,7 +132,7 @@ fn scene(layer: &Layer<'_>, place: &Range<usize>, control: bool) -> Result<Scene
         exact: layer
             .exact
             .filter(|e| !exact::is_none(e.get_ref()))
-            .map(|e| exact::exact(e, &materials, p, control))
+            .map(|e| exact::exact(e, &bodies, &materials, p, control))
             .transpose()?,
         bodies,
         materials,
