@@ -30,6 +30,10 @@ fn every_field_is_documented() {
         "[body.material.orthotropic]",
         "[[boundary]]",
         "[contact]",
+        "[[curve]]",
+        "[curve.circle]",
+        "[curve.graph]",
+        "[discretisation]",
         "[exact]",
         "[exact.traces]",
         "[family]",
@@ -41,7 +45,11 @@ fn every_field_is_documented() {
         "[[case]]",
     ];
     for table in tables {
-        let head = if table.starts_with("[body.") { "[[body]]\n" } else { "" };
+        let head = match table {
+            t if t.starts_with("[body.") => "[[body]]\n",
+            t if t.starts_with("[curve.") => "[[curve]]\n",
+            _ => "",
+        };
         let text = format!("{head}{table}\nno_such_field = 1\n");
         let e = Study::parse(&text, Path::new("x.toml")).err().unwrap();
         let fields: Vec<&str> = e.message.split('`').skip(3).step_by(2).collect();

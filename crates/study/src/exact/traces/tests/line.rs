@@ -47,7 +47,7 @@ fn p_by_traces_is_the_built_in_p() {
 #[test]
 fn the_pointwise_verification_accepts_it_and_refuses_a_flipped_gap() {
     let materials = [SOFT, STIFF].map(|l| Material::lame(l.lambda, l.mu).unwrap());
-    let line = [Point::new(0.0, 0.0), Point::new(1.0, 0.0)];
+    let line = signorini_contact::ContactLine::polyline([Point::new(0.0, 0.0), Point::new(1.0, 0.0)]);
     let seen = verify(&as_traces(), &materials, &line).unwrap_or_else(|e| panic!("{e}"));
     assert!(seen.tangential < 1e-14 && seen.reaction < 1e-14, "{seen:?}");
 
