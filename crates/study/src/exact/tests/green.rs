@@ -9,8 +9,8 @@
 //! factor `1/cos α` of the force per unit of `y`, to the weak form.
 
 use super::*;
-use crate::exact::derived::{body_force_of, stress};
 use crate::exact::Field;
+use crate::exact::derived::{body_force_of, stress};
 use crate::expr::{Real, atan2, sqrt};
 use signorini_contact::quadrature::GAUSS_8;
 use signorini_contact::{Body, Vec2};
