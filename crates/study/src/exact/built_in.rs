@@ -27,9 +27,9 @@ pub struct BuiltIn {
     build: fn(&Values, [Lame; 2]) -> Built,
 }
 
-/// Every built-in solution. Those of the arc and of the graphs live on the bodies that [`super::arc`] and [`super::graph`]
-/// draw; all others but the patches on `Ω' = (0,1)×(0,1)`, `Ω'' = (0,1)×(−1,0)` with contact on `y = 0`, and they vanish on
-/// `y = ±1`.
+/// Every built-in solution. Those of the arc and of the graphs live on the bodies that [`super::arc`] and
+/// [`super::graph`] draw; all others but the patches on `Ω' = (0,1)×(0,1)`, `Ω'' = (0,1)×(−1,0)` with contact on
+/// `y = 0`, and they vanish on `y = ±1`.
 pub const BUILT_INS: &[BuiltIn] = &[
     BuiltIn {
         name: "P",

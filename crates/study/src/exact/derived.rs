@@ -40,13 +40,14 @@ pub fn jump(exact: &dyn Exact, x: Point, n: Vec2) -> f64 {
     n.dot(&(exact.value(Body::First, x) - exact.value(Body::Second, x)))
 }
 
-/// The contact force of `Ω'` along the normal of the constraint, per unit of the zone's measure `μ`; pressing is negative.
-/// In P1 it is `T_n`, in P2 `T_ξ = −T'_ξ/cos α'`. `material` is that of `Ω'`.
+/// The contact force of `Ω'` along the normal of the constraint, per unit of the zone's measure `μ`; pressing is
+/// negative. In P1 it is `T_n`, in P2 `T_ξ = −T'_ξ/cos α'`. `material` is that of `Ω'`.
 pub fn contact_stress_at(exact: &dyn Exact, material: &Material, point: &LinePoint) -> f64 {
     point.normal.dot(&traction(exact, material, Body::First, point.at[0], point.conormals[0]))
 }
 
-/// The jump `n·(u' − u'')`, each displacement at its own body's point; what remains of the gap is `point.gap` less the jump.
+/// The jump `n·(u' − u'')`, each displacement at its own body's point; what remains of the gap is `point.gap` less the
+/// jump.
 pub fn jump_at(exact: &dyn Exact, point: &LinePoint) -> f64 {
     let [first, second] = point.at;
     point.normal.dot(&(exact.value(Body::First, first) - exact.value(Body::Second, second)))

@@ -32,8 +32,8 @@ impl Scales {
     }
 }
 
-/// Probes a few points inside both bodies beside a piece of the contact zone of the given length; `on` is its point at a
-/// parameter between 0 and 1.
+/// Probes a few points inside both bodies beside a piece of the contact zone of the given length; `on` is its point at
+/// a parameter between 0 and 1.
 pub(super) fn check(
     exact: &dyn Exact,
     on: impl Fn(f64) -> LinePoint,

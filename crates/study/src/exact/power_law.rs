@@ -7,8 +7,8 @@
 //! Ω'':  u_1 = 0,                            u_2 = (B/L'') r^α sin θ (1−cos θ)/2             L = λ + 2μ
 //! ```
 //!
-//! times `χ = 1 − y²`, plus the smooth part. Then `g = A (x−s)_+^α` and `T_n = −B (s−x)_+^{α−1}`. The body force behaves
-//! like `r^{α−2}`: it is square integrable only for `α > 1`.
+//! times `χ = 1 − y²`, plus the smooth part. Then `g = A (x−s)_+^α` and `T_n = −B (s−x)_+^{α−1}`. The body force
+//! behaves like `r^{α−2}`: it is square integrable only for `α > 1`.
 
 use super::Field;
 use super::line::{cutoff, depth, normal_modulus, smooth};

@@ -2,10 +2,10 @@
 //!
 //! With the points of both bodies that face each other, the normal `n` of the constraint, the gap `ε` and the forces
 //! `t = τ ν` per unit of the zone's measure (`ν` each body's outward normal in that measure): `n·(u' − u'') ≤ ε`,
-//! `n·t' = −n·t'' = T ≤ 0`, `t'` and `t''` without a tangential part, `T (n·(u' − u'') − ε) = 0`, each to 1e-9 of the largest
-//! displacement or stress seen there. These are (3.9)–(3.12) on a common line, where `ε = 0`, and (3.9')–(3.12') across a
-//! gap, where `n = −e_ξ`. Beside it: the derivatives that the solution reports against differences of its own values. A
-//! value that is not finite is refused wherever it is met.
+//! `n·t' = −n·t'' = T ≤ 0`, `t'` and `t''` without a tangential part, `T (n·(u' − u'') − ε) = 0`, each to 1e-9 of the
+//! largest displacement or stress seen there. These are (3.9)–(3.12) on a common line, where `ε = 0`, and
+//! (3.9')–(3.12') across a gap, where `n = −e_ξ`. Beside it: the derivatives that the solution reports against
+//! differences of its own values. A value that is not finite is refused wherever it is met.
 
 pub use super::condition::{Condition, VerifyError, Zone};
 

@@ -8,8 +8,8 @@
 //! | `slide = r^α sin θ (1+cos θ)/2` | 0 | `X_+^{α−1}` |
 //! | `press = r^α sin θ (1−cos θ)/2` | 0 | `(−X)_+^{α−1}` |
 //!
-//! So `open` prescribes a gap, `slide` frees the open side of the shear stress that comes with it, and `press` makes the
-//! pressure. All three are smooth off the origin and lie in `H^{1+α−δ}`.
+//! So `open` prescribes a gap, `slide` frees the open side of the shear stress that comes with it, and `press` makes
+//! the pressure. All three are smooth off the origin and lie in `H^{1+α−δ}`.
 
 use super::polar::{Polar, tip};
 use crate::expr::Real;

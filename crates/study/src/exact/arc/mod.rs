@@ -11,8 +11,8 @@
 //!          x + y = ½                   Q = q(x, y)/q(cos θ, sin θ), q = x + y − ½ or (2 − x)(2 − y)
 //! ```
 //!
-//! `Ω' = {x, y > 0, x + y > ½, r < 1}` lies inside the arc, `Ω'' = (0,2)² ∖ disc` outside, so `n = e_r`. With the same `p` in
-//! both bodies `T_n = p`, and the gap is `g = w'' − w'` (primes: the bodies); any two `a` are allowed.
+//! `Ω' = {x, y > 0, x + y > ½, r < 1}` lies inside the arc, `Ω'' = (0,2)² ∖ disc` outside, so `n = e_r`. With the same
+//! `p` in both bodies `T_n = p`, and the gap is `g = w'' − w'` (primes: the bodies); any two `a` are allowed.
 
 mod polynomial;
 mod power_law;

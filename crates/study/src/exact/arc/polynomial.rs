@@ -1,8 +1,8 @@
 //! arcP: gap and pressure on the arc are powers of the angle from one switch point.
 //!
-//! `g = (θ−θ_s)_+³`, `p = −4 (θ_s−θ)_+²`, `θ_s = 0.9`, by the arc lemma with the smooth part's `a`, and `w = q_0 − 0.6 g` in
-//! `Ω'`, `q_0 + 0.4 g` in `Ω''`. The bodies slip along each other, so that no part of the error of a straight-sided
-//! treatment vanishes by chance. The body force jumps across the ray `θ = θ_s`; `u ∈ H^{5/2−δ}`.
+//! `g = (θ−θ_s)_+³`, `p = −4 (θ_s−θ)_+²`, `θ_s = 0.9`, by the arc lemma with the smooth part's `a`, and
+//! `w = q_0 − 0.6 g` in `Ω'`, `q_0 + 0.4 g` in `Ω''`. The bodies slip along each other, so that no part of the error of
+//! a straight-sided treatment vanishes by chance. The body force jumps across the ray `θ = θ_s`; `u ∈ H^{5/2−δ}`.
 
 use super::{Place, SWITCH, extended, smooth, switch_point};
 use crate::exact::Field;

@@ -7,8 +7,8 @@
 //! u_r = W − σ (B/L) press − (r−1) (λ/L) W,    u_θ = −σ α A slide
 //! ```
 //!
-//! has on the arc `τ_rθ = 0` and `τ_rr = −B (θ_s−θ)_+^{α−1}`: there `ε_θθ = W`, which the last term of `u_r` pays for. It is
-//! added to the smooth part before both are cut off. The gap is `0.4 (θ−θ_s)_+^α`.
+//! has on the arc `τ_rθ = 0` and `τ_rr = −B (θ_s−θ)_+^{α−1}`: there `ε_θθ = W`, which the last term of `u_r` pays for.
+//! It is added to the smooth part before both are cut off. The gap is `0.4 (θ−θ_s)_+^α`.
 
 use super::{Place, SWITCH, extended, smooth, switch_point};
 use crate::exact::line::normal_modulus;

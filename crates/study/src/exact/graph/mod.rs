@@ -1,5 +1,5 @@
-//! The graph lemma: displacements with given trace and pressure on the boundary `x = f(y)` of each of two bodies that need
-//! not touch before they are loaded, without friction.
+//! The graph lemma: displacements with given trace and pressure on the boundary `x = f(y)` of each of two bodies that
+//! need not touch before they are loaded, without friction.
 //!
 //! ```text
 //!            x = f''(y)    x = f'(y)             With F = f_y, L = λ + 2μ, D = L μ (1 + F²)² and
@@ -13,9 +13,9 @@
 //! has on `x = f(y)` the trace `(w, a)` and `τ (1, −F)ᵀ = (p, 0)ᵀ`, for any `a(y), w(y), p(y)`. `X = Q (2 − Q)`,
 //! `Q = (x_u − x)/(x_u − f)`, is 1 on the graph with its derivatives 0, and vanishes at the far side `x_u = ±2`.
 //!
-//! `(1, −F)` is the outward normal of `Ω''` times `ds/dy = 1/cos α''`, and the inward one of `Ω'` times `1/cos α'`. With the same
-//! `p` in both bodies `T''_ξ/cos α'' = −T'_ξ/cos α' = p` and `T'_η = T''_η = 0`. With `w'' − w' = ε − g` (primes: the bodies),
-//! `ε = f' − f''`, the gap that remains is `g`.
+//! `(1, −F)` is the outward normal of `Ω''` times `ds/dy = 1/cos α''`, and the inward one of `Ω'` times `1/cos α'`.
+//! With the same `p` in both bodies `T''_ξ/cos α'' = −T'_ξ/cos α' = p` and `T'_η = T''_η = 0`. With `w'' − w' = ε − g`
+//! (primes: the bodies), `ε = f' − f''`, the gap that remains is `g`.
 
 mod polynomial;
 mod power_law;
@@ -37,8 +37,8 @@ fn upper_switch() -> f64 {
     1.0 / 3.0f64.sqrt()
 }
 
-/// The matrix that takes `(r_1, r_2)` to `(c, b)`: rows `[(μ + L F²), (λ+μ) F]/D` and `[(λ+μ) F, (L + μ F²)]/D`. It solves
-/// `τ (1, −F)ᵀ = (p, 0)ᵀ` for the derivatives of the displacement across the graph.
+/// The matrix that takes `(r_1, r_2)` to `(c, b)`: rows `[(μ + L F²), (λ+μ) F]/D` and `[(λ+μ) F, (L + μ F²)]/D`. It
+/// solves `τ (1, −F)ᵀ = (p, 0)ᵀ` for the derivatives of the displacement across the graph.
 struct Across<D> {
     rows: [[D; 2]; 2],
 }
@@ -60,8 +60,8 @@ impl<D: Real> Across<D> {
     }
 }
 
-/// `(u_x, u_y)/X` at the offset `x − f` from the graph of slope `F`, from the trace at `y`, whose slopes are derivatives with
-/// respect to `y`.
+/// `(u_x, u_y)/X` at the offset `x − f` from the graph of slope `F`, from the trace at `y`, whose slopes are
+/// derivatives with respect to `y`.
 fn extended<D: Real>(trace: &Trace<D>, lame: Lame, slope: D, offset: D) -> [D; 2] {
     // r_1 = p − λ a_y + μ F w_y, r_2 = −μ w_y + L F a_y
     let r1 = trace.p - trace.slope_a * lame.lambda + slope * trace.slope_w * lame.mu;
@@ -80,8 +80,8 @@ fn cutoff<D: Real>(body: Body, x: D, f: D) -> D {
     q * (-q + 2.0)
 }
 
-/// The trace that the solutions share: each body comes half of the way, `w = q_0 − ε/2` in `Ω'` and `q_0 + ε/2` in `Ω''`,
-/// `q_0 = cos(2y)/20`, `a = sin(2y)/10` in `Ω'` and `−y²/20` in `Ω''`, `p = 0`: the gap is closed everywhere.
+/// The trace that the solutions share: each body comes half of the way, `w = q_0 − ε/2` in `Ω'` and `q_0 + ε/2` in
+/// `Ω''`, `q_0 = cos(2y)/20`, `a = sin(2y)/10` in `Ω'` and `−y²/20` in `Ω''`, `p = 0`: the gap is closed everywhere.
 fn closed<D: Real>(body: Body, shape: GapShape, y: D) -> Trace<D> {
     let (sin, cos) = (y * 2.0).sin_cos();
     let (a, slope_a) = match body {

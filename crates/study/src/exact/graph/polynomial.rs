@@ -1,8 +1,8 @@
 //! graphP: contact in the middle of the two graphs, gap and pressure powers of the distance from two switch points.
 //!
 //! Contact for `−c_1 ≤ y ≤ c_2`, `c_1 = 1/√5`, `c_2 = 1/√3`, with `p = −12 [(y+c_1)(c_2−y)]_+²` and
-//! `g = (−c_1−y)_+³ + (y−c_2)_+³`, by the graph lemma with `w = q_0 − W/2` in `Ω'`, `q_0 + W/2` in `Ω''`, `W = ε − g`. The body
-//! force jumps across `y = −c_1` and `y = c_2`; `u ∈ H^{5/2−δ}`.
+//! `g = (−c_1−y)_+³ + (y−c_2)_+³`, by the graph lemma with `w = q_0 − W/2` in `Ω'`, `q_0 + W/2` in `Ω''`, `W = ε − g`.
+//! The body force jumps across `y = −c_1` and `y = c_2`; `u ∈ H^{5/2−δ}`.
 
 use super::{GapShape, REACH, closed, cutoff, extended, share, upper_switch};
 use crate::exact::Field;

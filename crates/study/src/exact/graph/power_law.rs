@@ -1,15 +1,16 @@
 //! graphR(α): one switch point of chosen regularity on two graphs, `u ∈ H^{1+α−δ}`, `0 < α < 2`.
 //!
-//! Contact for `y < c_2 = 1/√3`. On the graphs `g = A (y−c_2)_+^α` and `p = −B (c_2−y)_+^{α−1}`, `A = 0.4`, `B = 2`. The singular part has
-//! the traces `w = ±A/2 (y−c_2)_+^α` (`+` in `Ω'`), `a = 0`. With `X̂ = y − c_2`, `Ŷ = |x − f|`, the fields of the wedge in
-//! these coordinates (a smooth change of coordinates, so of the same regularity) and `σ = ∂Ŷ/∂x = ±1`, the graph lemma
-//! asks for the derivatives across the graph
+//! Contact for `y < c_2 = 1/√3`. On the graphs `g = A (y−c_2)_+^α` and `p = −B (c_2−y)_+^{α−1}`, `A = 0.4`, `B = 2`.
+//! The singular part has the traces `w = ±A/2 (y−c_2)_+^α` (`+` in `Ω'`), `a = 0`. With `X̂ = y − c_2`, `Ŷ = |x − f|`,
+//! the fields of the wedge in these coordinates (a smooth change of coordinates, so of the same regularity) and
+//! `σ = ∂Ŷ/∂x = ±1`, the graph lemma asks for the derivatives across the graph
 //!
 //! ```text
 //! (∂_x u_x, ∂_x u_y) = (c, b) = M(F) (p + μ F w_y, −μ w_y),    M(F) = the lemma's matrix of (r_1, r_2) → (c, b)
 //! ```
 //!
-//! linear in `w_y = ±(αA/2) X̂_+^{α−1}` and `p = −B (−X̂)_+^{α−1}`: the normal derivatives of `slide` and `press`. Hence
+//! linear in `w_y = ±(αA/2) X̂_+^{α−1}` and `p = −B (−X̂)_+^{α−1}`: the normal derivatives of `slide` and `press`.
+//! Hence
 //!
 //! ```text
 //! (u_x, u_y) = ±A/2 open e_x + σ M(F) ( μ F k slide − B press,  −μ k slide ),    k = ±αA/2
@@ -46,7 +47,8 @@ impl GraphPowerLaw {
         Ok(Self { alpha, shape, lame })
     }
 
-    /// The singular part at the offset `x − f` from the graph of slope `F`. `Ŷ = σ (x − f)`: the body decides on the sign.
+    /// The singular part at the offset `x − f` from the graph of slope `F`. `Ŷ = σ (x − f)`: the body decides on the
+    /// sign.
     fn singular<D: Real>(&self, body: Body, y: D, slope: D, offset: D) -> [D; 2] {
         let sigma = match body {
             Body::First => 1.0,

@@ -14,8 +14,8 @@ pub enum GapShape {
     Convex,
     /// `f' = 3/20 − y²/10 − y³/20`, `f'' = −3/20 + y²/10`: `ε` is concave, nowhere zero.
     Concave,
-    /// `f' = 1/10 + y²/8 + y³/10`, `f'' = −1/10 + y²/8 − y³/20`: `ε = 1/5 + 3y³/20` is concave for `y < 0` and convex for
-    /// `y > 0`.
+    /// `f' = 1/10 + y²/8 + y³/10`, `f'' = −1/10 + y²/8 − y³/20`: `ε = 1/5 + 3y³/20` is concave for `y < 0` and convex
+    /// for `y > 0`.
     BothSigns,
 }
 
@@ -51,8 +51,8 @@ impl GapShape {
         [f, slope, 2.0 * c[2] + 6.0 * c[3] * y]
     }
 
-    /// The contact zone between the two graphs over `−1 ≤ y ≤ 1`, `e_ξ = e_x`. Both graphs run downwards, which has `Ω'`, on the
-    /// right of the gap, on the left of its own.
+    /// The contact zone between the two graphs over `−1 ≤ y ≤ 1`, `e_ξ = e_x`. Both graphs run downwards, which has
+    /// `Ω'`, on the right of the gap, on the left of its own.
     pub fn contact_line(self) -> ContactLine {
         let graph = |body| -> SharedCurve {
             let [c0, c1, c2, c3] = self.coefficients(body);

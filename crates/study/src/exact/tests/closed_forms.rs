@@ -189,8 +189,8 @@ fn the_natural_singularity_opens_as_the_constants_say() {
     assert!((crate::exact::Natural::new(PAIRS[0]).gap_factor() - 0.7).abs() < 1e-15);
 }
 
-/// Without the factor `χ` and the smooth part, W is in equilibrium: near the switch point the body force stays far below
-/// `r^{−1/2}`, the size of each of its terms.
+/// Without the factor `χ` and the smooth part, W is in equilibrium: near the switch point the body force stays far
+/// below `r^{−1/2}`, the size of each of its terms.
 #[test]
 fn the_singular_part_of_w_needs_no_load() {
     let s = 1.0 / 6.0f64.sqrt();

@@ -230,3 +230,24 @@ fn another_zone_is_refused_in_its_own_words() {
     // Another pair of graphs.
     refused("graphP", PAIRS[0], &GapShape::Concave.contact_line());
 }
+
+/// The list in `studies/README.md` names every built-in solution, and the gaps in their own formulas.
+#[test]
+fn the_documentation_lists_every_solution_and_gap() {
+    const README: &str = include_str!("../../../../../studies/README.md");
+    for built in crate::exact::BUILT_INS {
+        assert!(README.contains(&format!("| `{}`", built.name)) || README.contains(&format!(", `{}` |", built.name)));
+    }
+    let plain = |text: &str| text.replace('²', "^2").replace('³', "^3").replace('−', "-").replace("3y", "3*y");
+    for (index, shape) in GapShape::ALL.into_iter().enumerate() {
+        let head = if index == 0 { "| 0 (default) |".to_string() } else { format!("| {index} |") };
+        let row = README.lines().find(|l| l.starts_with(&head)).expect("a row of the table");
+        for (body, text) in Body::BOTH.into_iter().zip(row.split('`').skip(1).step_by(2)) {
+            let parsed = crate::expr::Expression::parse(&plain(text), &["y"], &BTreeMap::new());
+            let parsed = parsed.unwrap_or_else(|e| panic!("{text}: {e}"));
+            for y in [-0.9, 0.2, 0.7] {
+                assert!((parsed.eval(&[y]) - shape.boundary(body, y)[0]).abs() < 1e-15, "{shape:?} {text}");
+            }
+        }
+    }
+}

@@ -1,5 +1,5 @@
-//! Displacements on curved bodies against a second evaluation in plain numbers: angles by `atan2`, derivatives of the traces
-//! by hand, and the derivatives across the graph by solving for the traction in place of the lemma's matrix.
+//! Displacements on curved bodies against a second evaluation in plain numbers: angles by `atan2`, derivatives of the
+//! traces by hand, and the derivatives across the graph by solving for the traction in place of the lemma's matrix.
 
 use super::*;
 use signorini_contact::{Body, Vec2};
@@ -46,8 +46,8 @@ fn arc_displacement(name: &str, alpha: f64, body: Body, at: Point) -> Vec2 {
     (radial * e_r + angular * e_theta) * share * (2.0 - share)
 }
 
-/// The derivatives `(c, b)` across a graph of slope `slope` with `τ (1, −F)ᵀ = (p, 0)ᵀ`: the traction is an affine function
-/// of them, built from Hooke's law column by column.
+/// The derivatives `(c, b)` across a graph of slope `slope` with `τ (1, −F)ᵀ = (p, 0)ᵀ`: the traction is an affine
+/// function of them, built from Hooke's law column by column.
 fn across(body: Body, slope: f64, slope_w: f64, slope_a: f64, p: f64) -> [f64; 2] {
     let (lambda, mu, modulus) = moduli(body);
     let traction = |c: f64, b: f64, slope_w: f64, slope_a: f64| {

@@ -24,8 +24,11 @@ fn curved_probes(name: &str) -> Vec<(Body, Point)> {
     [right, left].concat()
 }
 
-/// Every solution with points of both bodies.
-fn everywhere() -> impl Iterator<Item = (&'static str, &'static [(&'static str, f64)], Vec<(Body, Point)>)> {
+/// Name and parameters of a solution, with points of both bodies.
+type Probed = (&'static str, &'static [(&'static str, f64)], Vec<(Body, Point)>);
+
+/// Every solution.
+fn everywhere() -> impl Iterator<Item = Probed> {
     let squares = ON_SQUARES.into_iter().map(|(name, list)| (name, list, probes().collect()));
     squares.chain(ON_CURVES.into_iter().map(|(name, list)| (name, list, curved_probes(name))))
 }

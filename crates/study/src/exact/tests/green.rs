@@ -1,12 +1,12 @@
-//! Green's formula on patches beside the curved zones: with the stated contact force `T`, for smooth fields `φ` that vanish
-//! on the rest of the patch's boundary,
+//! Green's formula on patches beside the curved zones: with the stated contact force `T`, for smooth fields `φ` that
+//! vanish on the rest of the patch's boundary,
 //!
 //! ```text
 //! ∫_ω' τ:ε(φ) − F·φ dx = ∫ T n·φ dμ,      ∫_ω'' τ:ε(φ) − F·φ dx = −∫ T n·φ dμ
 //! ```
 //!
-//! with `n = e_r`, `dμ = dθ` on the arc and `n = −e_x`, `dμ = dy` on the graphs. It ties the signs of both bodies, and the
-//! factor `1/cos α` of the force per unit of `y`, to the weak form.
+//! with `n = e_r`, `dμ = dθ` on the arc and `n = −e_x`, `dμ = dy` on the graphs. It ties the signs of both bodies, and
+//! the factor `1/cos α` of the force per unit of `y`, to the weak form.
 
 use super::*;
 use crate::exact::Field;
@@ -15,8 +15,8 @@ use crate::expr::{Real, atan2, sqrt};
 use signorini_contact::quadrature::GAUSS_8;
 use signorini_contact::{Body, Vec2};
 
-/// A patch beside the zone, `from ≤ s ≤ to` along it and `0 ≤ d ≤ depth` into the body, with a field that vanishes on its
-/// three inner sides.
+/// A patch beside the zone, `from ≤ s ≤ to` along it and `0 ≤ d ≤ depth` into the body, with a field that vanishes on
+/// its three inner sides.
 struct Patch {
     /// The graphs; none on the arc.
     shape: Option<GapShape>,
@@ -59,7 +59,8 @@ fn graph<D: Real>([c0, c1, c2, c3]: [f64; 4], y: D) -> D {
     y * c1 + y * y * c2 + y * y * y * c3 + c0
 }
 
-/// Ends of the panels of a composite rule between `from` and `to`: equal ones, or halved again and again towards `from`.
+/// Ends of the panels of a composite rule between `from` and `to`: equal ones, or halved again and again towards
+/// `from`.
 fn panels(from: f64, to: f64, graded: bool) -> Vec<[f64; 2]> {
     const LEVELS: i32 = 18;
     let mut shares: Vec<f64> =
