@@ -76,7 +76,8 @@ pub fn outer_loop(blocks: &[BlockOutline]) -> Result<Loop, Error> {
     let mut chain = vec![outer.remove(0)];
     loop {
         let end = chain[chain.len() - 1].piece.point(1.0);
-        let follows: Vec<usize> = (0..outer.len()).filter(|&k| (outer[k].piece.point(0.0) - end).norm() <= tolerance).collect();
+        let follows: Vec<usize> =
+            (0..outer.len()).filter(|&k| (outer[k].piece.point(0.0) - end).norm() <= tolerance).collect();
         let closes = (chain[0].piece.point(0.0) - end).norm() <= tolerance;
         match (&follows[..], closes) {
             (&[k], false) => chain.push(outer.remove(k)),

@@ -12,9 +12,14 @@ const LONG: f64 = 1.40;
 
 /// One round: the worst sides first, each node touched at most once.
 pub(super) fn clean(draft: &Draft, wish: &Wish) -> Result<Draft, Error> {
-    let mut round = Round { draft, touched: vec![false; draft.points.len()], removed: vec![false; draft.points.len()], points: draft.points.clone() };
+    let mut round = Round {
+        draft,
+        touched: vec![false; draft.points.len()],
+        removed: vec![false; draft.points.len()],
+        points: draft.points.clone(),
+    };
     let sizes: Vec<f64> = draft.points.iter().map(|&p| wish.size(p)).collect();
-    round.open_corners(wish);
+    round.open_corners();
     for [a, b] in worst_first(draft, &sizes) {
         let share = length(draft, a, b) / mean(&sizes, a, b);
         if share < SHORT {
@@ -90,12 +95,13 @@ impl Round<'_> {
     }
 
     /// Puts a node before each boundary node whose two sides belong to one triangle though the corner is not sharp.
-    fn open_corners(&mut self, wish: &Wish) {
+    fn open_corners(&mut self) {
         for &triangle in &self.draft.triangles {
             let Fault::Corner { node, inward, .. } = fault(self.draft, triangle) else { continue };
             if !std::mem::replace(&mut self.touched[node as usize], true) {
                 let corner = self.draft.points[node as usize];
-                self.points.push(corner + 0.85 * wish.size(corner) * inward);
+                // √3/2 of the sides: an equilateral triangle's height.
+                self.points.push(corner + 0.866 * inward);
             }
         }
     }

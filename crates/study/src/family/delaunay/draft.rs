@@ -2,7 +2,7 @@
 
 use super::{at, refuse};
 use signorini_contact::{Error, Point};
-use spade::{ConstrainedDelaunayTriangulation, HasPosition, Point2, Triangulation};
+use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation};
 
 /// A mesh on the way: the first `fixed` nodes are the boundary polygon, counterclockwise.
 #[derive(Clone)]
@@ -13,6 +13,12 @@ pub(super) struct Draft {
     pub fixed: usize,
     /// Counterclockwise, smallest node first, ascending: the order does not depend on how they were found.
     pub triangles: Vec<[u32; 3]>,
+}
+
+impl From<Draft> for signorini_contact::mesh::Triangulation {
+    fn from(draft: Draft) -> Self {
+        Self { points: draft.points, triangles: draft.triangles }
+    }
 }
 
 type Cdt = ConstrainedDelaunayTriangulation<Point2<f64>>;
@@ -57,7 +63,9 @@ fn triangulate(points: &[Point], fixed: usize) -> Result<Cdt, Error> {
     let mut crossing = None;
     let cdt = match Cdt::try_bulk_load_cdt(places, sides.clone(), |side| crossing = crossing.or(Some(side))) {
         Ok(cdt) => cdt,
-        Err(error) => return refuse(format!("coordinates out of range for a Delaunay mesh: {error}; change the unit of length")),
+        Err(error) => {
+            return refuse(format!("coordinates out of range for a Delaunay mesh: {error}; change the unit of length"));
+        }
     };
     let handles: Vec<_> = cdt.fixed_vertices().take(fixed).collect();
     let broken = || sides.iter().copied().find(|&[a, b]| !cdt.exists_constraint(handles[a], handles[b]));

@@ -110,7 +110,8 @@ impl<'a> Lattice<'a> {
         }
         let (reach, h) = (reach as i64, 1_i64 << DEPTH);
         let rows = (-reach..=reach).rev().flat_map(|j| (-reach..=reach).rev().map(move |i| (i * h, j * h)));
-        Ok(rows.flat_map(|(i, j)| [[i + h, j + h, -h], [i, j, h]]).collect())
+        let cells = rows.flat_map(|(i, j)| [[i + h, j + h, -h], [i, j, h]]);
+        Ok(cells.filter(|&cell| !self.misses(cell)).collect())
     }
 
     fn point(&self, i: i64, j: i64) -> Point {

@@ -9,6 +9,8 @@
 //! fixed order and random numbers depend on the seed alone: the same input gives the same bytes.
 
 use super::random::Random;
+use draft::Draft;
+use lattice::Start;
 use score::Score;
 use signorini_contact::mesh::Triangulation;
 use signorini_contact::{Error, Point, Vec2};
@@ -20,6 +22,7 @@ mod draft;
 mod lattice;
 mod near;
 mod outline;
+mod refined;
 mod score;
 mod smooth;
 mod strong;
@@ -46,57 +49,79 @@ const WORK: usize = 60_000;
 pub fn fill(boundary: &[Point], size: &(dyn Fn(Point) -> f64 + Sync), seed: u64) -> Result<Triangulation, Error> {
     outline::check(boundary)?;
     let wish = Wish::new(boundary, size)?;
-    let first = lattice::Start::random(&mut Random::new(seed, 0), [1.0, 1.0]);
-    let inner = lattice::inner_nodes(&wish, &first)?.len();
-    let starts = (WORK / inner.max(1)).clamp(2, 24);
-    let (triangulation, score) = search(&wish, seed, starts, [0.92, 1.06], 1.0)?;
-    score::accept(&triangulation, boundary.len(), &score)?;
-    Ok(triangulation)
+    let (draft, score) = search(&wish, seed, starts(&wish, 24)?, [0.92, 1.06], 1.0, &|draft| Score::of(draft, &wish))?;
+    score::accept(&draft, &score)?;
+    Ok(draft.into())
 }
 
-/// The best mesh of several starts; the first one whose score falls to `enough` ends the search. `spacings` bounds the
-/// lattice's spacing as a share of the wished length.
+/// How many starts a mesh gets: at most `most`, fewer for a large one, at least 2.
+fn starts(wish: &Wish, most: usize) -> Result<usize, Error> {
+    let first = Start::random(&mut Random::new(0, 0), [1.0, 1.0]);
+    Ok((WORK / lattice::inner_nodes(wish, &first)?.len().max(1)).clamp(2, most))
+}
+
+/// The best mesh of several starts as `judge` sees it; the first one whose score falls to `enough` ends the search. `spacings`
+/// bounds the lattice's spacing as a share of the wished length; the first start has the spacing 1.
 fn search(
     wish: &Wish,
     seed: u64,
     starts: usize,
     spacings: [f64; 2],
     enough: f64,
-) -> Result<(Triangulation, Score), Error> {
-    let mut best: Option<(draft::Draft, Score)> = None;
-    for k in 0..starts {
-        let start = lattice::Start::random(&mut Random::new(seed, k as u64), if k == 0 { [1.0, 1.0] } else { spacings });
-        let found = from_start(wish, &start)?;
-        if best.as_ref().is_none_or(|b| found.1 < b.1) {
-            best = Some(found);
-        }
-        if best.as_ref().is_some_and(|b| b.1.is_at_most(enough)) {
+    judge: &dyn Fn(&Draft) -> Score,
+) -> Result<(Draft, Score), Error> {
+    let start = |k: usize| Start::random(&mut Random::new(seed, k as u64), if k == 0 { [1.0; 2] } else { spacings });
+    let mut best = from_start(wish, &start(0), judge)?;
+    for k in 1..starts {
+        if best.1.is_at_most(enough) {
             break;
         }
+        let found = from_start(wish, &start(k), judge)?;
+        if found.1 < best.1 {
+            best = found;
+        }
     }
-    let (draft, score) = best.expect("at least one start");
-    Ok((Triangulation { points: draft.points, triangles: draft.triangles }, score))
+    Ok(best)
 }
 
 /// Rounds of smoothing, each with its exponent (see [`smooth`]) and whether nodes are inserted and removed before it.
 const ROUNDS: [(i32, bool); 22] = [
-    (1, true), (1, true), (1, true), (2, true), (2, true), (2, true), (2, true), (2, true), (2, false), (2, true), (2, false),
-    (3, true), (3, false), (3, true), (4, false), (4, false), (5, false), (6, false), (7, false), (8, false), (8, false),
+    (1, true),
+    (1, true),
+    (1, true),
+    (2, true),
+    (2, true),
+    (2, true),
+    (2, true),
+    (2, true),
+    (2, false),
+    (2, true),
+    (2, false),
+    (3, true),
+    (3, false),
+    (3, true),
+    (4, false),
+    (4, false),
+    (5, false),
+    (6, false),
+    (7, false),
+    (8, false),
+    (8, false),
     (8, false),
 ];
 
 /// The best mesh met on the way from one lattice.
-fn from_start(wish: &Wish, start: &lattice::Start) -> Result<(draft::Draft, Score), Error> {
+fn from_start(wish: &Wish, start: &Start, judge: &dyn Fn(&Draft) -> Score) -> Result<(Draft, Score), Error> {
     let points = [wish.boundary, &lattice::inner_nodes(wish, start)?].concat();
-    let mut draft = draft::Draft::new(points, wish.boundary.len())?;
-    let mut best = (draft.clone(), Score::of(&draft, wish));
+    let mut draft = Draft::new(points, wish.boundary.len())?;
+    let mut best = (draft.clone(), judge(&draft));
     for (exponent, cleans) in ROUNDS {
         if cleans {
             draft = clean::clean(&draft, wish)?;
         }
         smooth::smooth(&mut draft, wish, exponent);
-        draft = draft::Draft::new(draft.points, draft.fixed)?;
-        let score = Score::of(&draft, wish);
+        draft = Draft::new(draft.points, draft.fixed)?;
+        let score = judge(&draft);
         if score < best.1 {
             best = (draft.clone(), score);
         }

@@ -46,7 +46,8 @@ impl Near {
     /// The buckets that meet a box.
     fn over(&self, low: Point, high: Point) -> impl Iterator<Item = usize> + use<> {
         let index = |x: f64, count: usize| ((x / self.width).max(0.0) as usize).min(count - 1);
-        let [from, to] = [low - self.origin, high - self.origin].map(|p| [index(p.x, self.counts[0]), index(p.y, self.counts[1])]);
+        let [from, to] =
+            [low - self.origin, high - self.origin].map(|p| [index(p.x, self.counts[0]), index(p.y, self.counts[1])]);
         let across = self.counts[0];
         (from[1]..=to[1]).flat_map(move |j| (from[0]..=to[0]).map(move |i| j * across + i))
     }

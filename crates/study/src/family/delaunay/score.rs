@@ -3,8 +3,7 @@
 use super::draft::Draft;
 use super::wish::Wish;
 use super::{at, refuse};
-use signorini_contact::geometry::{cross, tangent_of};
-use signorini_contact::mesh::Triangulation;
+use signorini_contact::geometry::tangent_of;
 use signorini_contact::mesh::quality::largest_cotangent;
 use signorini_contact::{Error, Vec2};
 
@@ -73,7 +72,7 @@ pub(super) enum Fault {
         node: u32,
         /// Whether the corner has more than 120°.
         blunt: bool,
-        /// The unit vector into the body that halves the corner's angle.
+        /// From the corner into the body, across to the triangle's third side, half as long as the corner's two sides together.
         inward: Vec2,
     },
 }
@@ -88,7 +87,7 @@ pub(super) fn fault(draft: &Draft, triangle: [u32; 3]) -> Fault {
         let [before, node, after] = [triangle[k], triangle[(k + 1) % 3], triangle[(k + 2) % 3]];
         if (before + 1) % n == node && (node + 1) % n == after {
             let [p, x, q] = draft.corners([before, node, after]);
-            return corner(node, (p - x).normalize(), (q - x).normalize());
+            return corner(node, p - x, q - x);
         }
     }
     Fault::Across
@@ -96,13 +95,12 @@ pub(super) fn fault(draft: &Draft, triangle: [u32; 3]) -> Fault {
 
 /// `back` and `on` point to the neighbours before and after the corner.
 fn corner(node: u32, back: Vec2, on: Vec2) -> Fault {
-    let cosine = back.dot(&on);
+    let cosine = back.normalize().dot(&on.normalize());
     if cosine >= COS_75 {
         return Fault::None;
     }
-    let inward = tangent_of(on - back).normalize();
-    // tangent_of turns counterclockwise, to the side where the body is.
-    debug_assert!(cross(on - back, inward) > 0.0);
+    // Turned counterclockwise from the direction of the boundary: to the body's side.
+    let inward = 0.5 * (back.norm() + on.norm()) * tangent_of((on - back).normalize());
     Fault::Corner { node, blunt: cosine < COS_120 - 1e-12, inward }
 }
 
@@ -110,14 +108,13 @@ fn corner(node: u32, back: Vec2, on: Vec2) -> Fault {
 ///
 /// # Errors
 /// [`Error::Mesh`] with the place and the angle of the worst triangle.
-pub(super) fn accept(mesh: &Triangulation, fixed: usize, score: &Score) -> Result<(), Error> {
+pub(super) fn accept(draft: &Draft, score: &Score) -> Result<(), Error> {
     if score.forbidden == 0 {
         return Ok(());
     }
-    let draft = Draft { points: mesh.points.clone(), fixed, triangles: mesh.triangles.clone() };
     let place = |t: [u32; 3]| draft.corners(t).iter().sum::<Vec2>() / 3.0;
     let cotangent = |t: &[u32; 3]| largest_cotangent(draft.corners(*t));
-    let blunt = |t: &&[u32; 3]| matches!(fault(&draft, **t), Fault::Corner { blunt: true, .. });
+    let blunt = |t: &&[u32; 3]| matches!(fault(draft, **t), Fault::Corner { blunt: true, .. });
     if let Some(&t) = draft.triangles.iter().find(blunt) {
         return refuse(format!(
             "the triangle at {} owns both boundary sides of a corner of more than 120°, where it would be flat; give the \
