@@ -15,8 +15,11 @@ use signorini_contact::Point;
 use signorini_contact::geometry::Piece;
 use signorini_contact::mesh::quality::largest_cotangent;
 
-/// Levels that are followed; each moves a side by a quarter of what the one before did.
+/// Levels that are followed. In proportion, each moves a side by half of what the one before did.
 const LEVELS: u32 = 8;
+
+/// The largest [`Lengths::spread`] to accept: the levels beyond [`LEVELS`] together move sides by less than a thousandth.
+pub(super) const ROOM: f64 = 0.999;
 
 /// Lengths over all levels, those of level `k` times `2^k`.
 #[derive(Clone, Copy, Debug)]
@@ -32,6 +35,11 @@ pub(super) struct Lengths {
 impl Lengths {
     /// The lengths of a mesh whose first nodes are those of `outline`, and of its refinements.
     pub fn of(draft: &Draft, outline: &Loop) -> Self {
+        Self::up_to(LEVELS, draft, outline)
+    }
+
+    /// The same for a given number of refinements.
+    pub fn up_to(levels: u32, draft: &Draft, outline: &Loop) -> Self {
         let none = [f64::INFINITY, 0.0];
         let mut lengths = Self { straight: none, chord: none, cotangent: 0.0 };
         let arcs = arcs(draft, outline);
@@ -50,25 +58,25 @@ impl Lengths {
                     && b == (a + 1) % n
                     && let Some((piece, span)) = arcs[a as usize]
                 {
-                    lengths.follow(piece, span, draft.corners([a, b, p]), 0);
+                    lengths.follow(piece, span, draft.corners([a, b, p]), [0, levels]);
                 }
             }
         }
         lengths
     }
 
-    /// A triangle `a, b, p` on the arc over `span`, and its children there.
-    fn follow(&mut self, piece: &Piece, span: [f64; 2], [a, b, p]: [Point; 3], level: u32) {
+    /// A triangle `a, b, p` on the arc over `span`, and its children there, from one level to another.
+    fn follow(&mut self, piece: &Piece, span: [f64; 2], [a, b, p]: [Point; 3], [level, last]: [u32; 2]) {
         let scale = f64::from(1 << level);
         widen(&mut self.chord, scale * (b - a).norm());
         widen(&mut self.straight, scale * (p - a).norm());
         widen(&mut self.straight, scale * (p - b).norm());
         self.cotangent = self.cotangent.max(largest_cotangent([a, b, p]));
-        if level < LEVELS {
+        if level < last {
             let middle = 0.5 * (span[0] + span[1]);
             let k = piece.point(middle);
-            self.follow(piece, [span[0], middle], [a, k, 0.5 * (a + p)], level + 1);
-            self.follow(piece, [middle, span[1]], [k, b, 0.5 * (b + p)], level + 1);
+            self.follow(piece, [span[0], middle], [a, k, 0.5 * (a + p)], [level + 1, last]);
+            self.follow(piece, [middle, span[1]], [k, b, 0.5 * (b + p)], [level + 1, last]);
         }
     }
 

@@ -5,7 +5,7 @@ use super::wish::Wish;
 use super::{at, refuse};
 use signorini_contact::geometry::tangent_of;
 use signorini_contact::mesh::quality::largest_cotangent;
-use signorini_contact::{Error, Vec2};
+use signorini_contact::{Error, Point, Vec2};
 
 /// cot 20°: the bound on angles. Literals, because trigonometry differs between machines in the last bit.
 pub(super) const COT_20: f64 = 2.747_477_419_454_621_6;
@@ -83,25 +83,20 @@ pub(super) fn fault(draft: &Draft, triangle: [u32; 3]) -> Fault {
     if triangle.iter().any(|&i| i >= n) {
         return Fault::None;
     }
-    for k in 0..3 {
-        let [before, node, after] = [triangle[k], triangle[(k + 1) % 3], triangle[(k + 2) % 3]];
-        if (before + 1) % n == node && (node + 1) % n == after {
-            let [p, x, q] = draft.corners([before, node, after]);
-            return corner(node, p - x, q - x);
+    let turns = [0, 1, 2].map(|k| [triangle[k], triangle[(k + 1) % 3], triangle[(k + 2) % 3]]);
+    let owned = turns.into_iter().filter(|&[before, node, after]| (before + 1) % n == node && (node + 1) % n == after);
+    let corners = owned.map(|[before, node, after]| (node, draft.corners([before, node, after])));
+    // The bluntest corner, where a small polygon is one triangle.
+    let cosine = |[p, x, q]: [Point; 3]| (p - x).normalize().dot(&(q - x).normalize());
+    match corners.min_by(|a, b| cosine(a.1).total_cmp(&cosine(b.1))) {
+        None => Fault::Across,
+        Some((_, sides)) if cosine(sides) >= COS_75 => Fault::None,
+        Some((node, sides @ [p, x, q])) => {
+            // Turned counterclockwise from the direction of the boundary: to the body's side.
+            let inward = 0.5 * ((p - x).norm() + (q - x).norm()) * tangent_of((q - p).normalize());
+            Fault::Corner { node, blunt: cosine(sides) < COS_120 - 1e-12, inward }
         }
     }
-    Fault::Across
-}
-
-/// `back` and `on` point to the neighbours before and after the corner.
-fn corner(node: u32, back: Vec2, on: Vec2) -> Fault {
-    let cosine = back.normalize().dot(&on.normalize());
-    if cosine >= COS_75 {
-        return Fault::None;
-    }
-    // Turned counterclockwise from the direction of the boundary: to the body's side.
-    let inward = 0.5 * (back.norm() + on.norm()) * tangent_of((on - back).normalize());
-    Fault::Corner { node, blunt: cosine < COS_120 - 1e-12, inward }
 }
 
 /// Refuses a mesh with forbidden triangles.

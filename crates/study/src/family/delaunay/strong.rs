@@ -8,7 +8,7 @@
 
 use super::chain::{Loop, Run};
 use super::draft::Draft;
-use super::refined::Lengths;
+use super::refined::{Lengths, ROOM};
 use super::score::{Score, accept};
 use super::wish::Wish;
 use super::{outline, refuse, search, starts};
@@ -26,7 +26,7 @@ pub struct Strong {
     pub sides: [f64; 2],
 }
 
-/// The largest of all ratios to their bounds at which the search stops; 1 is enough.
+/// The largest of all ratios to their bounds at which the search stops; below 1 is enough.
 const ENOUGH: f64 = 0.97;
 
 /// Most starts for a body.
@@ -106,7 +106,7 @@ fn steps(quotient: f64) -> usize {
 }
 
 fn within_bounds(draft: &Draft, lengths: &Lengths, chord: [f64; 2]) -> Result<[f64; 2], Error> {
-    if lengths.spread(chord) <= 1.0 {
+    if lengths.spread(chord) <= ROOM {
         let sides = draft.sides().map(|[a, b]| (draft.points[a as usize] - draft.points[b as usize]).norm());
         return Ok(sides.fold([f64::INFINITY, 0.0], |[l, u], s| [f64::min(l, s), f64::max(u, s)]));
     }

@@ -8,6 +8,7 @@ use std::sync::Arc;
 mod chain;
 mod fill;
 mod refusals;
+mod score;
 mod strong;
 
 fn points(xy: &[[f64; 2]]) -> Vec<Point> {
