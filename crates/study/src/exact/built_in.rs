@@ -1,7 +1,10 @@
 //! The built-in solutions by name.
 
 use super::parameters::{Parameter, Values};
-use super::{CornerPatch, Exact, ManySwitches, Natural, Polynomial, PowerLaw, Tiles};
+use super::{
+    ArcPolynomial, ArcPowerLaw, CornerPatch, Exact, GapShape, GraphPolynomial, GraphPowerLaw, ManySwitches, Natural,
+    Polynomial, PowerLaw, Tiles,
+};
 use crate::nearest::nearest;
 use signorini_contact::material::Lame;
 use std::collections::BTreeMap;
@@ -24,8 +27,9 @@ pub struct BuiltIn {
     build: fn(&Values, [Lame; 2]) -> Built,
 }
 
-/// Every built-in solution. All but the patches live on `Ω' = (0,1)×(0,1)`, `Ω'' = (0,1)×(−1,0)` with contact on `y = 0`
-/// and vanish on `y = ±1`.
+/// Every built-in solution. Those of the arc and of the graphs live on the bodies that [`super::arc`] and [`super::graph`]
+/// draw; all others but the patches on `Ω' = (0,1)×(0,1)`, `Ω'' = (0,1)×(−1,0)` with contact on `y = 0`, and they vanish on
+/// `y = ±1`.
 pub const BUILT_INS: &[BuiltIn] = &[
     BuiltIn {
         name: "P",
@@ -49,7 +53,7 @@ pub const BUILT_INS: &[BuiltIn] = &[
     BuiltIn {
         name: "R",
         about: "one switch point of chosen regularity: gap 0.4 (x−s)^α, pressure 2 (s−x)^{α−1}",
-        parameters: &[Parameter { name: "alpha", meaning: "exponent of the gap, 0 < alpha < 2", default: None }],
+        parameters: &[ALPHA],
         regularity: "s = 1 + alpha",
         sobolev: |v| Some(1.0 + v.optional("alpha")?),
         build: |v, lame| Ok(Arc::new(PowerLaw::new(v.get("alpha")?, lame)?)),
@@ -103,7 +107,49 @@ pub const BUILT_INS: &[BuiltIn] = &[
         sobolev: |_| None,
         build: |_, lame| Ok(Arc::new(CornerPatch::second(lame))),
     },
+    BuiltIn {
+        name: "arcP",
+        about: "gap (θ−0.9)^3 and pressure 4 (0.9−θ)^2 on the quarter of the unit circle",
+        parameters: &[],
+        regularity: "s = 5/2",
+        sobolev: |_| Some(2.5),
+        build: |_, lame| Ok(Arc::new(ArcPolynomial::new(lame))),
+    },
+    BuiltIn {
+        name: "arcR",
+        about: "gap 0.4 (θ−0.9)^α and pressure 2 (0.9−θ)^{α−1} on the quarter of the unit circle",
+        parameters: &[ALPHA],
+        regularity: "s = 1 + alpha",
+        sobolev: |v| Some(1.0 + v.optional("alpha")?),
+        build: |v, lame| Ok(Arc::new(ArcPowerLaw::new(v.get("alpha")?, lame)?)),
+    },
+    BuiltIn {
+        name: "graphP",
+        about: "contact for −1/√5 ≤ y ≤ 1/√3 between the graphs x = f'(y) and x = f''(y), powers 3 and 2 at its ends",
+        parameters: &[SHAPE],
+        regularity: "s = 5/2",
+        sobolev: |_| Some(2.5),
+        build: |v, lame| Ok(Arc::new(GraphPolynomial::new(GapShape::from_parameter(v.get("gap")?)?, lame))),
+    },
+    BuiltIn {
+        name: "graphR",
+        about: "gap 0.4 (y−c)^α and pressure 2 (c−y)^{α−1}, c = 1/√3, between the graphs x = f'(y) and x = f''(y)",
+        parameters: &[ALPHA, SHAPE],
+        regularity: "s = 1 + alpha",
+        sobolev: |v| Some(1.0 + v.optional("alpha")?),
+        build: |v, lame| {
+            Ok(Arc::new(GraphPowerLaw::new(v.get("alpha")?, GapShape::from_parameter(v.get("gap")?)?, lame)?))
+        },
+    },
 ];
+
+const ALPHA: Parameter = Parameter { name: "alpha", meaning: "exponent of the gap, 0 < alpha < 2", default: None };
+
+const SHAPE: Parameter = Parameter {
+    name: "gap",
+    meaning: "shape of the initial gap: 0 convex, 1 concave, 2 of both signs of curvature",
+    default: Some(0.0),
+};
 
 /// The built-in solution `name` for the Lamé constants of `Ω'`, `Ω''`.
 ///

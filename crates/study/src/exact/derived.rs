@@ -1,6 +1,7 @@
 //! Stress, loads and contact quantities of an exact displacement.
 
 use super::{Exact, Jet2};
+use signorini_contact::geometry::LinePoint;
 use signorini_contact::material::{Sym2, strain};
 use signorini_contact::{Body, Material, Point, Vec2};
 
@@ -24,7 +25,7 @@ pub fn body_force_of(jet: &Jet2, material: &Material) -> Vec2 {
     Vec2::new(-(d1[0] + d2[2]), -(d1[2] + d2[1]))
 }
 
-/// The traction `τ n` on a line with unit normal `n`, force per length.
+/// The traction `τ n` on a line with unit normal `n`, force per length. With a longer `n`, force per that length.
 pub fn traction(exact: &dyn Exact, material: &Material, body: Body, x: Point, n: Vec2) -> Vec2 {
     apply(stress(exact, material, body, x), n)
 }
@@ -37,6 +38,18 @@ pub fn contact_stress(exact: &dyn Exact, material: &Material, x: Point, n: Vec2)
 /// The jump `n·(u' − u'')`; the gap is its negative.
 pub fn jump(exact: &dyn Exact, x: Point, n: Vec2) -> f64 {
     n.dot(&(exact.value(Body::First, x) - exact.value(Body::Second, x)))
+}
+
+/// The contact force of `Ω'` along the normal of the constraint, per unit of the zone's measure `μ`; pressing is negative.
+/// In P1 it is `T_n`, in P2 `T_ξ = −T'_ξ/cos α'`. `material` is that of `Ω'`.
+pub fn contact_stress_at(exact: &dyn Exact, material: &Material, point: &LinePoint) -> f64 {
+    point.normal.dot(&traction(exact, material, Body::First, point.at[0], point.conormals[0]))
+}
+
+/// The jump `n·(u' − u'')`, each displacement at its own body's point; what remains of the gap is `point.gap` less the jump.
+pub fn jump_at(exact: &dyn Exact, point: &LinePoint) -> f64 {
+    let [first, second] = point.at;
+    point.normal.dot(&(exact.value(Body::First, first) - exact.value(Body::Second, second)))
 }
 
 /// `τ n`.

@@ -3,12 +3,12 @@
 use super::condition::{Condition, VerifyError, demand};
 use super::verify::not_finite;
 use super::{Exact, Jet2};
-use signorini_contact::geometry::{Segment, right_normal, segments};
+use signorini_contact::geometry::LinePoint;
 use signorini_contact::{Body, Point, Vec2};
 
 /// Relative tolerance: the differences themselves are good to about 1e-8.
 const TOLERANCE: f64 = 1e-5;
-/// Step, and how far the probes stay from break lines and singular points, per length of the segment.
+/// Step, and how far the probes stay from break lines and singular points, per length of the piece.
 const STEP: f64 = 1e-5;
 const CLEARANCE: f64 = 0.02;
 
@@ -19,9 +19,8 @@ pub(super) struct Scales {
 }
 
 impl Scales {
-    /// Largest derivatives in `jets`; lower ones count too, divided by the length of the contact zone.
-    pub(super) fn of<'a>(jets: impl Iterator<Item = &'a Jet2>, contact: &[Point]) -> Self {
-        let length: f64 = segments(contact).map(|s| s.length()).sum();
+    /// Largest derivatives in `jets`; lower ones count too, divided by the `length` of the contact zone.
+    pub(super) fn of<'a>(jets: impl Iterator<Item = &'a Jet2>, length: f64) -> Self {
         let mut sizes = [0.0f64; 3];
         for jet in jets {
             sizes[0] = sizes[0].max(jet.value.amax());
@@ -33,15 +32,20 @@ impl Scales {
     }
 }
 
-/// Probes a few points inside both bodies beside the segment.
-pub(super) fn check(exact: &dyn Exact, segment: Segment, scales: &Scales) -> Result<(), VerifyError> {
-    let length = segment.length();
-    let n = right_normal(segment.a, segment.b);
+/// Probes a few points inside both bodies beside a piece of the contact zone of the given length; `on` is its point at a
+/// parameter between 0 and 1.
+pub(super) fn check(
+    exact: &dyn Exact,
+    on: impl Fn(f64) -> LinePoint,
+    length: f64,
+    scales: &Scales,
+) -> Result<(), VerifyError> {
     let (points, lines) = (exact.singular_points(), exact.break_lines());
     for (along, away) in [(0.137, 0.05), (0.391, 0.11), (0.633, 0.07), (0.871, 0.13)] {
-        for (body, side) in [(Body::First, -1.0), (Body::Second, 1.0)] {
-            let on = segment.a + along * (segment.b - segment.a);
-            let at = on + side * away * length * n;
+        let edge = on(along);
+        for body in Body::BOTH {
+            let outward = edge.conormals[body.index()].normalize();
+            let at = edge.at[body.index()] - away * length * outward;
             let near = points.iter().any(|p| (p - at).norm() < CLEARANCE * length)
                 || lines.iter().any(|l| l.distance(at) < CLEARANCE * length);
             if !near {
@@ -58,7 +62,7 @@ fn probe(exact: &dyn Exact, body: Body, at: Point, step: f64, scales: &Scales) -
     let finite = bad.is_none();
     demand(finite, Condition::Finite, Some(body), at, bad.unwrap_or(0.0), f64::MAX)?;
     // Scales are those of the contact zone; inside the body the solution may be larger.
-    let inside = Scales::of([jet].iter(), &[at, at + Vec2::new(1.0, 0.0)]);
+    let inside = Scales::of([jet].iter(), 1.0);
     let bounds = [TOLERANCE * scales.first.max(inside.first), TOLERANCE * scales.second.max(inside.second)];
     let errors = deviations(exact, body, at, step, &jet);
     let conditions = [Condition::Gradient, Condition::Hessian];

@@ -1,5 +1,6 @@
 //! Exact solutions of contact problems: built-in closed forms and expressions of a study file.
 
+pub mod arc;
 mod built_in;
 mod cell;
 mod condition;
@@ -7,6 +8,7 @@ pub mod derived;
 mod differences;
 mod expression;
 mod field;
+pub mod graph;
 mod line;
 mod many_switches;
 mod natural;
@@ -18,11 +20,15 @@ mod power_law;
 #[cfg(test)]
 mod tests;
 mod tiles;
+mod traces;
 pub mod verify;
+mod wedge;
 
+pub use arc::{ArcPolynomial, ArcPowerLaw};
 pub use built_in::{BUILT_INS, BuiltIn, built_in, sobolev_order};
 pub use expression::{ComponentError, Expressions};
 pub use field::Field;
+pub use graph::{GapShape, GraphPolynomial, GraphPowerLaw};
 pub use many_switches::ManySwitches;
 pub use natural::Natural;
 pub use parameters::Parameter;
@@ -30,6 +36,7 @@ pub use patch::CornerPatch;
 pub use polynomial::Polynomial;
 pub use power_law::PowerLaw;
 pub use tiles::Tiles;
+pub use traces::{LineText, TraceError, TraceName, TraceTexts, Traces};
 
 use signorini_contact::{Body, Point, Vec2, geometry::Segment};
 

@@ -13,8 +13,8 @@
 use super::Field;
 use super::line::{cutoff, depth, normal_modulus, smooth};
 use super::parameters;
-use super::polar::{Polar, tip};
 use super::polynomial::switch;
+use super::wedge::{self, Wedge};
 use crate::expr::Real;
 use signorini_contact::{Body, Point, material::Lame};
 
@@ -40,25 +40,12 @@ impl PowerLaw {
         Ok(Self { alpha, lame })
     }
 
-    /// First derivatives at the switch point itself: they exist only for `α > 1`.
-    fn slope_at_tip(&self) -> f64 {
-        if self.alpha > 1.0 { 0.0 } else { f64::INFINITY }
-    }
-
     fn singular<D: Real>(&self, body: Body, x: D, y: D) -> [D; 2] {
-        let Some(polar) = Polar::new(x, y) else {
-            return [tip(x, y, self.slope_at_tip()); 2];
-        };
-        let b = PRESSURE / normal_modulus(self.lame[body.index()]);
-        let growth = polar.radius_power(self.alpha);
-        let (sine, plus, minus) = polar.angle();
-        let pressed = sine * minus * b;
+        let wedge = Wedge::new(x, y, self.alpha);
+        let pressed = wedge.press * (PRESSURE / normal_modulus(self.lame[body.index()]));
         match body {
-            Body::First => {
-                let open = plus * GAP;
-                [growth * sine * open * -self.alpha, growth * (open - pressed)]
-            }
-            Body::Second => [D::from(0.0), growth * pressed],
+            Body::First => [wedge.slide * (-self.alpha * GAP), wedge.open * GAP - pressed],
+            Body::Second => [D::from(0.0), pressed],
         }
     }
 }
@@ -81,9 +68,6 @@ impl Field for PowerLaw {
     }
 
     fn notes(&self) -> Vec<String> {
-        if self.alpha > 1.0 {
-            return Vec::new();
-        }
-        vec![format!("α = {}: the body force is not square integrable near the switch point", self.alpha)]
+        wedge::notes(self.alpha)
     }
 }

@@ -1,19 +1,22 @@
 //! Pointwise verification of an exact solution, before any mesh exists.
 //!
-//! At points of the contact zone: `n·(u' − u'') ≤ 0`, `T'_n = T''_n ≤ 0`, `T'_t = T''_t = 0`, `T_n n·(u' − u'') = 0`, each to
-//! 1e-9 of the largest displacement or stress seen there. Beside it: the derivatives that the solution reports against
-//! differences of its own values. A value that is not finite is refused wherever it is met.
+//! With the points of both bodies that face each other, the normal `n` of the constraint, the gap `ε` and the forces
+//! `t = τ ν` per unit of the zone's measure (`ν` each body's outward normal in that measure): `n·(u' − u'') ≤ ε`,
+//! `n·t' = −n·t'' = T ≤ 0`, `t'` and `t''` without a tangential part, `T (n·(u' − u'') − ε) = 0`, each to 1e-9 of the largest
+//! displacement or stress seen there. These are (3.9)–(3.12) on a common line, where `ε = 0`, and (3.9')–(3.12') across a
+//! gap, where `n = −e_ξ`. Beside it: the derivatives that the solution reports against differences of its own values. A
+//! value that is not finite is refused wherever it is met.
 
-pub use super::condition::{Condition, VerifyError};
+pub use super::condition::{Condition, VerifyError, Zone};
 
 use super::condition::demand;
-use super::derived::{apply, stress};
+use super::derived::{jump_at, stress, traction};
 use super::differences::{self, Scales};
 use super::{Exact, Jet2};
-use signorini_contact::geometry::{Segment, right_normal, segments, tangent_of};
-use signorini_contact::{Body, Material, Point, Vec2};
+use signorini_contact::geometry::{LinePoint, Piece, tangent_of};
+use signorini_contact::{Body, ContactLine, Material, Point};
 
-/// Points per contact segment.
+/// Points per piece of the contact zone.
 const POINTS: usize = 257;
 /// Relative tolerance of the contact conditions.
 const TOLERANCE: f64 = 1e-9;
@@ -29,23 +32,32 @@ pub struct Verification {
     pub displacement: f64,
     /// Largest stress component at them.
     pub stress: f64,
-    /// Largest `n·(u' − u'')` over the largest displacement; 0 if never positive.
+    /// Largest `n·(u' − u'') − ε` over the largest displacement; 0 if never positive.
     pub penetration: f64,
-    /// Largest `T_n` over the largest stress; 0 if never positive.
+    /// Largest `T` over the largest stress; 0 if never positive.
     pub tension: f64,
-    /// Largest `|T'_n − T''_n|` over the largest stress.
+    /// Largest `|T' − T''|` over the largest stress.
     pub reaction: f64,
-    /// Largest `|T_t|` over the largest stress.
+    /// Largest tangential force over the largest stress.
     pub tangential: f64,
-    /// Largest `|T_n n·(u' − u'')|` over the product of both.
+    /// Largest `|T (n·(u' − u'') − ε)|` over the product of both.
     pub complementarity: f64,
 }
 
-/// Checks `exact` with the materials of both bodies on the contact polyline, which has `Ω'` on its left.
+/// Checks `exact` with the materials of both bodies on the contact zone.
 ///
 /// # Errors
-/// The first condition that fails, in the order of [`Condition`] and then along the polyline.
-pub fn verify(exact: &dyn Exact, materials: &[Material; 2], contact: &[Point]) -> Result<Verification, VerifyError> {
+/// The first condition that fails, in the order of [`Condition`] and then along the zone.
+pub fn verify(
+    exact: &dyn Exact,
+    materials: &[Material; 2],
+    contact: &ContactLine,
+) -> Result<Verification, VerifyError> {
+    let zone = if contact.direction().is_some() { Zone::Gap } else { Zone::Common };
+    checked(exact, materials, contact).map_err(|e| VerifyError { zone, ..e })
+}
+
+fn checked(exact: &dyn Exact, materials: &[Material; 2], contact: &ContactLine) -> Result<Verification, VerifyError> {
     let samples = sampled(exact, materials, contact)?;
     let result = measured(&samples);
     let checks: [Check; 5] = [
@@ -59,12 +71,15 @@ pub fn verify(exact: &dyn Exact, materials: &[Material; 2], contact: &[Point]) -
         let bound = TOLERANCE * scale;
         for s in &samples {
             let (body, value) = residual(s);
-            demand(value <= bound, condition, body, s.at, value, bound)?;
+            let at = s.at[body.map_or(0, Body::index)];
+            demand(value <= bound, condition, body, at, value, bound)?;
         }
     }
-    let scales = Scales::of(samples.iter().flat_map(|s| &s.jets), contact);
-    for segment in segments(contact) {
-        differences::check(exact, segment, &scales)?;
+    let pieces = contact.pieces();
+    let lengths: Vec<f64> = pieces.iter().map(|[first, _]| first.length()).collect();
+    let scales = Scales::of(samples.iter().flat_map(|s| &s.jets), lengths.iter().sum());
+    for (piece, length) in pieces.iter().zip(lengths) {
+        differences::check(exact, |t| place(piece, contact, t), length, &scales)?;
     }
     Ok(result)
 }
@@ -77,31 +92,33 @@ type Check = (Condition, f64, fn(&Sample) -> Residual);
 
 /// Everything at one point of the contact zone.
 struct Sample {
-    at: Point,
+    /// On the boundary of `Ω'` and of `Ω''`.
+    at: [Point; 2],
     jets: [Jet2; 2],
     /// Largest `|u|`, largest stress component.
     size: [f64; 2],
-    /// `n·(u' − u'')`.
+    /// `n·(u' − u'') − ε`.
     jump: f64,
-    /// `T'_n, T''_n`, both with `n`.
+    /// `T', T''`: `n·t'` and `−n·t''`.
     normal: [f64; 2],
-    /// `T'_t, T''_t`.
+    /// The tangential parts of `t'` and `t''`.
     tangential: [f64; 2],
 }
 
 impl Sample {
-    fn new(exact: &dyn Exact, materials: &[Material; 2], at: Point, n: Vec2) -> Self {
-        let tau = Body::BOTH.map(|b| stress(exact, &materials[b.index()], b, at));
-        let jets = Body::BOTH.map(|b| exact.jet2(b, at));
-        let forces = tau.map(|t| apply(t, n));
-        let u = Body::BOTH.map(|b| exact.value(b, at));
+    fn new(exact: &dyn Exact, materials: &[Material; 2], point: &LinePoint) -> Self {
+        let (at, n) = (point.at, point.normal);
+        let tau = Body::BOTH.map(|b| stress(exact, &materials[b.index()], b, at[b.index()]));
+        let [first, second] =
+            Body::BOTH.map(|b| traction(exact, &materials[b.index()], b, at[b.index()], point.conormals[b.index()]));
+        let u = Body::BOTH.map(|b| exact.value(b, at[b.index()]).norm());
         Self {
             at,
-            jets,
-            size: [u[0].norm().max(u[1].norm()), tau.iter().flatten().fold(0.0, |m: f64, t| m.max(t.abs()))],
-            jump: n.dot(&(u[0] - u[1])),
-            normal: forces.map(|t| n.dot(&t)),
-            tangential: forces.map(|t| tangent_of(n).dot(&t)),
+            jets: Body::BOTH.map(|b| exact.jet2(b, at[b.index()])),
+            size: [u[0].max(u[1]), tau.iter().flatten().fold(0.0, |m: f64, t| m.max(t.abs()))],
+            jump: jump_at(exact, point) - point.gap,
+            normal: [n.dot(&first), -n.dot(&second)],
+            tangential: [first, second].map(|t| tangent_of(n).dot(&t)),
         }
     }
 
@@ -123,20 +140,20 @@ fn larger(values: [f64; 2]) -> Residual {
     (Some(body), values[body.index()])
 }
 
-/// The samples of every segment; all of them finite.
-fn sampled(exact: &dyn Exact, materials: &[Material; 2], contact: &[Point]) -> Result<Vec<Sample>, VerifyError> {
+/// The samples of every piece; all of them finite.
+fn sampled(exact: &dyn Exact, materials: &[Material; 2], contact: &ContactLine) -> Result<Vec<Sample>, VerifyError> {
     let singular = exact.singular_points();
+    let near = |at: &Point| singular.iter().any(|s| (s - at).norm() < AVOIDED);
     let mut all = Vec::new();
-    for segment in segments(contact) {
-        let n = right_normal(segment.a, segment.b);
-        for at in points(segment) {
-            if singular.iter().any(|s| (s - at).norm() < AVOIDED) {
+    for piece in &contact.pieces() {
+        for point in midpoints().map(|t| place(piece, contact, t)) {
+            if point.at.iter().any(near) {
                 continue;
             }
-            let sample = Sample::new(exact, materials, at, n);
+            let sample = Sample::new(exact, materials, &point);
             for body in Body::BOTH {
                 let bad = not_finite(&sample.jets[body.index()]);
-                let value = bad.unwrap_or(0.0);
+                let (at, value) = (point.at[body.index()], bad.unwrap_or(0.0));
                 demand(bad.is_none(), Condition::Finite, Some(body), at, value, f64::MAX)?;
             }
             all.push(sample);
@@ -145,12 +162,13 @@ fn sampled(exact: &dyn Exact, materials: &[Material; 2], contact: &[Point]) -> R
     Ok(all)
 }
 
-/// Midpoints of equal pieces: never an end of the segment.
-fn points(segment: Segment) -> impl Iterator<Item = Point> {
-    (0..POINTS).map(move |i| {
-        let t = (i as f64 + 0.5) / POINTS as f64;
-        segment.a + t * (segment.b - segment.a)
-    })
+fn place([first, second]: &[Piece; 2], contact: &ContactLine, t: f64) -> LinePoint {
+    LinePoint::new([first, second], contact.direction(), t)
+}
+
+/// Parameters in the middle of equal parts: never an end of the piece.
+fn midpoints() -> impl Iterator<Item = f64> {
+    (0..POINTS).map(|i| (i as f64 + 0.5) / POINTS as f64)
 }
 
 /// The first entry of a jet that is no finite number.

@@ -11,13 +11,32 @@ fn probes() -> impl Iterator<Item = (Body, Point)> {
     places.into_iter().flat_map(|(x, y)| [(Body::First, Point::new(x, y)), (Body::Second, Point::new(x, -y))])
 }
 
+/// The same on the bodies of the arc and of the graphs.
+fn curved_probes(name: &str) -> Vec<(Body, Point)> {
+    let place = |body, x: f64, y: f64| (body, Point::new(x, y));
+    if name.starts_with("arc") {
+        let inside = [(0.6, 0.31), (0.41, 0.62), (0.1, 0.88), (0.57, 0.77)].map(|(x, y)| place(Body::First, x, y));
+        let outside = [(1.1, 0.3), (0.7, 0.9), (0.2, 1.6), (1.9, 1.2)].map(|(x, y)| place(Body::Second, x, y));
+        return [inside, outside].concat();
+    }
+    let right = [(0.5, -0.9), (0.35, -0.2), (0.4, 0.55), (1.2, 0.8)].map(|(x, y)| place(Body::First, x, y));
+    let left = right.map(|(_, p)| place(Body::Second, -p.x, p.y));
+    [right, left].concat()
+}
+
+/// Every solution with points of both bodies.
+fn everywhere() -> impl Iterator<Item = (&'static str, &'static [(&'static str, f64)], Vec<(Body, Point)>)> {
+    let squares = ON_SQUARES.into_iter().map(|(name, list)| (name, list, probes().collect()));
+    squares.chain(ON_CURVES.into_iter().map(|(name, list)| (name, list, curved_probes(name))))
+}
+
 #[test]
 fn body_force_is_minus_the_divergence_of_the_stress() {
     let step = 1e-6;
-    for (name, list) in ON_SQUARES {
+    for (name, list, points) in everywhere() {
         let exact = made(name, list, PAIRS[2]);
         let materials = materials(PAIRS[2]);
-        for (body, at) in probes() {
+        for (body, at) in points {
             let material = &materials[body.index()];
             let tau = |e: Vec2| stress(&*exact, material, body, at + e);
             let (right, left) = (tau(step * Vec2::x()), tau(-step * Vec2::x()));
@@ -33,9 +52,9 @@ fn body_force_is_minus_the_divergence_of_the_stress() {
 
 #[test]
 fn value_jet_and_second_jet_agree() {
-    for (name, list) in ON_SQUARES {
+    for (name, list, points) in everywhere() {
         let exact = made(name, list, PAIRS[0]);
-        for (body, at) in probes() {
+        for (body, at) in points {
             let (value, jet, jet2) = (exact.value(body, at), exact.jet(body, at), exact.jet2(body, at));
             let near = |a: f64, b: f64| (a - b).abs() <= 1e-14 * (1.0 + a.abs());
             for i in 0..2 {

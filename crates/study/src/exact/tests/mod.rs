@@ -1,12 +1,15 @@
 //! Every built-in solution against its closed forms, against differences, and against broken twins.
 
 mod closed_forms;
+mod curved;
+mod curved_formulas;
 mod derivatives;
+mod green;
 mod names;
 mod rejected;
 
-use super::{Exact, built_in};
-use signorini_contact::{Material, Point, material::Lame};
+use super::{Exact, GapShape, arc, built_in};
+use signorini_contact::{ContactLine, Material, Point, material::Lame};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -47,12 +50,56 @@ const ON_SQUARES: [(&str, &[(&str, f64)]); 14] = [
 ];
 
 /// The line `y = 0` with `Ω'` on its left.
-fn line() -> Vec<Point> {
-    vec![Point::new(0.0, 0.0), Point::new(1.0, 0.0)]
+fn line() -> ContactLine {
+    ContactLine::polyline([Point::new(0.0, 0.0), Point::new(1.0, 0.0)])
 }
 
 /// Contact polylines of the two patches.
-fn corner(patch: u32) -> Vec<Point> {
+fn corner(patch: u32) -> ContactLine {
     let (left, right) = if patch == 1 { (0.2, 0.5) } else { (1.0, 1.0) };
-    vec![Point::new(-1.0, left), Point::new(0.0, 0.0), Point::new(1.0, right)]
+    ContactLine::polyline([Point::new(-1.0, left), Point::new(0.0, 0.0), Point::new(1.0, right)])
+}
+
+/// The solutions on the arc and on the graphs.
+const ON_CURVES: [(&str, &[(&str, f64)]); 10] = [
+    ("arcP", &[]),
+    ("arcR", &[("alpha", 0.4)]),
+    ("arcR", &[("alpha", 1.0)]),
+    ("arcR", &[("alpha", 1.5)]),
+    ("graphP", &[]),
+    ("graphP", &[("gap", 1.0)]),
+    ("graphP", &[("gap", 2.0)]),
+    ("graphR", &[("alpha", 0.4)]),
+    ("graphR", &[("alpha", 1.05), ("gap", 1.0)]),
+    ("graphR", &[("alpha", 1.5), ("gap", 2.0)]),
+];
+
+/// The shape of the gap that the parameters ask for.
+fn shape(list: &[(&str, f64)]) -> GapShape {
+    let gap = list.iter().find(|(name, _)| *name == "gap").map_or(0.0, |p| p.1);
+    GapShape::from_parameter(gap).unwrap()
+}
+
+/// The contact zone of a solution of [`ON_CURVES`].
+fn zone(name: &str, list: &[(&str, f64)]) -> ContactLine {
+    if name.starts_with("arc") { arc::contact_line() } else { shape(list).contact_line() }
+}
+
+/// `(t)_+^n`; zero for `t ≤ 0` even for `n ≤ 0`.
+fn positive(t: f64, n: f64) -> f64 {
+    if t > 0.0 { t.powf(n) } else { 0.0 }
+}
+
+/// Gap and contact force of a solution of [`ON_CURVES`] at the parameter `s` of its zone, the angle or the height.
+fn gap_and_force(name: &str, list: &[(&str, f64)], s: f64) -> (f64, f64) {
+    let alpha = list.iter().find(|(name, _)| *name == "alpha").map_or(f64::NAN, |p| p.1);
+    let (low, high) = (-1.0 / 5.0f64.sqrt(), 1.0 / 3.0f64.sqrt());
+    match name {
+        "arcP" => (positive(s - 0.9, 3.0), -4.0 * positive(0.9 - s, 2.0)),
+        "arcR" => (0.4 * positive(s - 0.9, alpha), -2.0 * positive(0.9 - s, alpha - 1.0)),
+        "graphP" => {
+            (positive(low - s, 3.0) + positive(s - high, 3.0), -12.0 * positive(s - low, 2.0) * positive(high - s, 2.0))
+        }
+        _ => (0.4 * positive(s - high, alpha), -2.0 * positive(high - s, alpha - 1.0)),
+    }
 }

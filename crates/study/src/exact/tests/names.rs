@@ -14,7 +14,7 @@ fn message(name: &str, list: &[(&str, f64)]) -> String {
 fn every_listed_solution_can_be_built() {
     for b in BUILT_INS {
         let alpha = parameters(&[("alpha", 1.5)]);
-        let given = if b.name == "R" { alpha } else { BTreeMap::new() };
+        let given = if b.name.ends_with('R') { alpha } else { BTreeMap::new() };
         assert!(built_in(b.name, &given, PAIRS[0]).is_ok(), "{}", b.name);
         for p in b.parameters {
             assert!(p.meaning.contains(p.name) || p.meaning.contains("exponent"));
@@ -40,6 +40,15 @@ fn mistakes_are_named_with_what_is_allowed() {
         ("tiles", &[("tiles", 25.0)], "1 ≤ tiles ≤ 24"),
         ("tiles", &[("smallest", 1e-9)], "≤ smallest"),
         ("tiles", &[("power", 0.5)], "0.5 < power ≤ 2"),
+        ("arcp", &[], "did you mean arcP?"),
+        ("arcP", &[("alpha", 1.0)], "no parameters are allowed"),
+        ("arcR", &[], "parameter alpha is missing; allowed: alpha"),
+        ("arcR", &[("alpha", 2.5)], "alpha = 2.5 must satisfy 0 < alpha < 2"),
+        ("graphP", &[("gap", 3.0)], "gap = 3 must satisfy 0 ≤ gap ≤ 2 and be whole"),
+        ("graphP", &[("gap", 0.5)], "be whole"),
+        ("graphR", &[("gap", 1.0)], "parameter alpha is missing"),
+        ("graphR", &[("alpha", 0.0)], "alpha = 0 must satisfy 0 < alpha < 2"),
+        ("graphR", &[("alpha", 1.0), ("shape", 1.0)], "unknown parameter shape"),
     ] {
         let text = message(name, list);
         assert!(text.contains(part), "{name} {list:?}: {text}");
@@ -64,6 +73,10 @@ fn sobolev_orders_follow_the_parameters() {
         ("tiles", &[], Some(2.0)),
         ("tiles", &[("power", 1.5)], Some(2.5)),
         ("corner-patch-1", &[], None),
+        ("arcP", &[], Some(2.5)),
+        ("arcR", &[("alpha", 0.75)], Some(1.75)),
+        ("graphP", &[("gap", 2.0)], Some(2.5)),
+        ("graphR", &[("alpha", 1.5)], Some(2.5)),
     ] {
         assert_eq!(sobolev_order(name, &parameters(list)), Ok(s), "{name}");
     }

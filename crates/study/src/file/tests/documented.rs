@@ -15,7 +15,7 @@ fn the_example_parses() {
     let study = Study::parse(example(), Path::new("pressed-block.toml")).unwrap_or_else(|e| panic!("{e}"));
     assert_eq!(study.claim.kind, ClaimKind::Rate);
     assert_eq!(study.cases.len(), 2);
-    let fixed = |c: &crate::study::Case| matches!(c.scene.parts[0].condition, PartCondition::Fixed(_));
+    let fixed = |c: &crate::study::Case| matches!(c.scene().unwrap().parts[0].condition, PartCondition::Fixed(_));
     assert!(study.cases.iter().all(fixed));
 }
 
@@ -31,6 +31,7 @@ fn every_field_is_documented() {
         "[[boundary]]",
         "[contact]",
         "[exact]",
+        "[exact.traces]",
         "[family]",
         "[levels]",
         "[reference]",
