@@ -45,7 +45,7 @@ const WORK: usize = 60_000;
 ///
 /// # Errors
 /// [`Error::Mesh`] for a boundary that is not a simple counterclockwise polygon or has a corner below 20°, a size that is not
-/// positive and finite or asks for more than four million triangles, and where no start leads to angles of 20°.
+/// positive and finite or asks for more than four million triangles, and where no start leads to angles of 20° or to shared blunt corners.
 pub fn fill(boundary: &[Point], size: &(dyn Fn(Point) -> f64 + Sync), seed: u64) -> Result<Triangulation, Error> {
     outline::check(boundary)?;
     let wish = Wish::new(boundary, size)?;

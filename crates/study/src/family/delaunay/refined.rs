@@ -81,8 +81,7 @@ impl Lengths {
     }
 
     /// At most 1 if on every level no straight side is longer than the longest chord, `β ≤ 2`, and the angles on arcs are at
-    /// least 20°; `chord` is the longest chord of both bodies on the coarsest
-    /// level and over all levels.
+    /// least 20°; `chord` is the longest chord of both bodies on the coarsest level and over all levels.
     pub fn spread(&self, chord: [f64; 2]) -> f64 {
         let [low, high] = [self.straight[0].min(self.chord[0]), self.straight[1]];
         (high / chord[0]).max(0.5 * chord[1] / low).max(self.cotangent / COT_20)

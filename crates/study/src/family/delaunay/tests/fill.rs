@@ -100,7 +100,7 @@ fn inner_sides_are_delaunay() {
 #[test]
 fn angles_and_side_ratios_are_bounded() {
     for case in cases() {
-        for seed in 0..5 {
+        for seed in 0..3 {
             let mesh = filled(&case, seed);
             let found = measure(&mesh, case.boundary.len());
             assert!(found.angle >= 20.0, "{}, seed {seed}: {found:?}", case.name);
