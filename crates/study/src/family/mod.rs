@@ -11,7 +11,7 @@ use signorini_contact::mesh::blocks::Pattern;
 
 mod level;
 mod perturb;
-mod random;
+pub(crate) mod random;
 #[cfg(test)]
 mod tests;
 

@@ -2,7 +2,7 @@
 
 use super::number::Finite;
 use super::raw::{
-    Expect, RawBody, RawBoundary, RawCase, RawContact, RawExact, RawExpected, RawFamily, RawGates, RawLevels,
+    Expect, RawBody, RawBoundary, RawCase, RawContact, RawExact, RawExpected, RawFamily, RawGates, RawLemma, RawLevels,
     RawReference, RawSolver, RawStudy,
 };
 use std::collections::BTreeMap;
@@ -17,6 +17,7 @@ pub struct Layer<'a> {
     pub boundary: Option<&'a [RawBoundary]>,
     pub contact: Option<&'a RawContact>,
     pub exact: Option<&'a Spanned<RawExact>>,
+    pub lemma: Option<&'a Spanned<RawLemma>>,
     pub family: Option<&'a Spanned<RawFamily>>,
     pub levels: Option<&'a RawLevels>,
     pub reference: Option<&'a Spanned<RawReference>>,
@@ -36,6 +37,7 @@ macro_rules! layer_of {
             boundary: $raw.boundary.as_deref(),
             contact: $raw.contact.as_ref(),
             exact: $raw.exact.as_ref(),
+            lemma: $raw.lemma.as_ref(),
             family: $raw.family.as_ref(),
             levels: $raw.levels.as_ref(),
             reference: $raw.reference.as_ref(),
@@ -69,6 +71,7 @@ impl<'a> Layer<'a> {
             boundary: self.boundary.or(base.boundary),
             contact: self.contact.or(base.contact),
             exact: self.exact.or(base.exact),
+            lemma: self.lemma.or(base.lemma),
             family: self.family.or(base.family),
             levels: self.levels.or(base.levels),
             reference: self.reference.or(base.reference),

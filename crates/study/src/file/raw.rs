@@ -31,6 +31,7 @@ pub struct RawStudy {
     pub boundary: Option<Vec<RawBoundary>>,
     pub contact: Option<RawContact>,
     pub exact: Option<Spanned<RawExact>>,
+    pub lemma: Option<Spanned<RawLemma>>,
     pub family: Option<Spanned<RawFamily>>,
     pub levels: Option<RawLevels>,
     pub reference: Option<Spanned<RawReference>>,
@@ -52,6 +53,7 @@ pub struct RawCase {
     pub boundary: Option<Vec<RawBoundary>>,
     pub contact: Option<RawContact>,
     pub exact: Option<Spanned<RawExact>>,
+    pub lemma: Option<Spanned<RawLemma>>,
     pub family: Option<Spanned<RawFamily>>,
     pub levels: Option<RawLevels>,
     pub reference: Option<Spanned<RawReference>>,
@@ -170,6 +172,41 @@ pub struct RawExact {
 #[serde(deny_unknown_fields)]
 pub struct RawLame {
     pub lame: Fixed<Finite, 2>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawLemma {
+    pub kind: LemmaName,
+    pub semi_axes: Option<Spanned<Fixed<Finite, 2>>>,
+    pub function: Option<Spanned<String>>,
+    pub side: Option<Spanned<SideName>>,
+    pub interval: Option<Spanned<Fixed<Finite, 2>>>,
+    pub norms: Option<Spanned<NormsName>>,
+    pub seed: Option<Spanned<u64>>,
+}
+
+#[derive(Clone, Copy, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum LemmaName {
+    BoundaryInterpolation,
+    InverseInequality,
+    Strip,
+}
+
+#[derive(Clone, Copy, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum SideName {
+    Inside,
+    Outside,
+}
+
+#[derive(Clone, Copy, Deserialize, PartialEq)]
+#[serde(rename_all = "kebab-case")]
+pub enum NormsName {
+    Seminorms,
+    FullRight,
+    Full,
 }
 
 #[derive(Deserialize)]
