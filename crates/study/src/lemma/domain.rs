@@ -3,7 +3,7 @@
 //! ```text
 //!        inside: a strip of triangles                 around: one more layer outside, cut off straight
 //!
-//!        P2 ──── P1            sides between             Q ──── R ──── Q        Q above the middles of the sides,
+//!        P2 ──── P1            sides between             Q ──── R ──── Q        Q above the middles of the arcs,
 //!       ╱  ╲    ╱  ╲           neighbours on               ╲  ╱  ╲  ╱           R above the nodes P, one side length
 //!     P3 ── C2 ── C1 ── P0     the curve are arcs      P ─── P ──── P ── P      away; the arcs bite into it
 //! ```
@@ -41,9 +41,10 @@ impl Domain {
             .fold(self.coarse(), |mesh, _| mesh.refined(|arc| self.ellipse.at(self.ellipse.divide(arc, 0.5))))
     }
 
-    /// Arcs of the coarse mesh.
+    /// Arcs of the coarse mesh. The outer layer fans out at the tips, the less the shorter the arcs: there are twice as many.
     pub fn coarse_arcs(&self) -> usize {
-        2 * (self.centres() + 2)
+        let inside = 2 * (self.centres() + 2);
+        if self.side == Side::Inside { inside } else { 2 * inside }
     }
 
     /// The angles of the ends of the first coarse arc.
@@ -113,17 +114,16 @@ impl Domain {
     fn ring(&self, points: &mut Vec<Point>, angles: &[f64]) -> Vec<[u32; 3]> {
         let n = self.coarse_arcs();
         let chord = (points[1] - points[0]).norm();
-        let outward = |t: f64, from: Point, distance: f64| {
+        let outward = |t: f64, distance: f64| {
             let v = self.ellipse.velocity(t).normalize();
-            from + distance * Point::new(v.y, -v.x)
+            self.ellipse.at(t) + distance * Point::new(v.y, -v.x)
         };
         for j in 0..n {
             let middle = self.ellipse.divide([angles[j], angles[j + 1]], 0.5);
-            let foot = 0.5 * (points[j] + points[(j + 1) % n]);
-            points.push(outward(middle, foot, 0.75_f64.sqrt() * chord));
+            points.push(outward(middle, 0.75_f64.sqrt() * chord));
         }
         for &t in &angles[..n] {
-            points.push(outward(t, self.ellipse.at(t), chord));
+            points.push(outward(t, chord));
         }
         let triangles = |j: usize| {
             let next = (j + 1) % n;

@@ -31,6 +31,7 @@ fn every_field_is_documented() {
         "[[boundary]]",
         "[contact]",
         "[exact]",
+        "[lemma]",
         "[family]",
         "[levels]",
         "[reference]",
