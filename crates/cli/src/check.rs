@@ -13,7 +13,7 @@ pub fn check(args: &CheckArgs) -> Result<u8, Failure> {
         for case in &study.cases {
             let levels = check_case(case, profile(args.profile))
                 .map_err(|e| Failure::of_run(&study, &e.in_case(&study, case)))?;
-            sayln!("  {}: {} family, {} levels", case.name, case.family.name(), levels.len());
+            sayln!("  {}: {} family, {} levels", case.name, case.family_name(), levels.len());
             levels.iter().for_each(print_level);
         }
     }
@@ -23,15 +23,18 @@ pub fn check(args: &CheckArgs) -> Result<u8, Failure> {
 
 fn print_level(l: &CheckedLevel) {
     sayln!(
-        "    n = {:<5} h = {:.4e}  smallest angle {:.1}°  β = {:.2}  {}  {} dofs, {} pairs, {} constraints",
+        "    n = {:<5} h = {:.4e}  {}β = {:.2}  {}  {} dofs{}",
         l.cells,
         l.h,
-        l.min_angle,
+        if l.min_angle > 0.0 { format!("smallest angle {:.1}°  ", l.min_angle) } else { String::new() },
         l.side_ratio,
         if l.nested { "nested" } else { "not nested" },
         l.dofs,
-        l.contact_pairs,
-        l.constraints
+        if l.contact_pairs > 0 {
+            format!(", {} pairs, {} constraints", l.contact_pairs, l.constraints)
+        } else {
+            String::new()
+        }
     );
     l.warnings.iter().for_each(|w| sayln!("      warning: {w}"));
 }

@@ -20,6 +20,11 @@ struct Measured<'a> {
     cell: Box<CellOf<'a>>,
 }
 
+/// A column that means nothing where no contact problem was solved.
+fn solved(key: &str, heading: &str, cell: fn(&Level) -> Cell) -> Measured<'static> {
+    measured(key, heading, move |level| if level.has_solution() { cell(level) } else { Cell::Missing })
+}
+
 fn measured<'a>(key: &str, heading: &str, cell: impl Fn(&Level) -> Cell + 'a) -> Measured<'a> {
     Measured { column: Column::new(key, heading), cell: Box::new(move |_, level| cell(level)) }
 }
@@ -34,7 +39,8 @@ pub fn all(record: &StudyRecord) -> Table {
     build(record, columns)
 }
 
-/// Mesh size and errors, each norm with its rate between successive levels; the judged quantity among them.
+/// Mesh size and errors, each norm with its rate between successive levels; the judged quantity among them. Columns
+/// without a value are left out.
 pub fn errors(record: &StudyRecord) -> Table {
     let mut columns = size_columns();
     columns.extend(error_columns(record));
@@ -49,7 +55,9 @@ pub fn errors(record: &StudyRecord) -> Table {
 pub fn contact(record: &StudyRecord) -> Table {
     let mut columns = vec![level_column(), h_column()];
     columns.extend(contact_columns());
-    without_empty(build(record, columns))
+    let table = without_empty(build(record, columns));
+    // level and h alone are no table
+    if table.columns.len() > 2 { table } else { Table::default() }
 }
 
 /// The ledger's terms; `None` if no level has a ledger.
@@ -64,7 +72,14 @@ pub fn ledger(record: &StudyRecord) -> Option<Table> {
 pub fn solution(record: &StudyRecord) -> Table {
     let mut columns = vec![level_column()];
     columns.extend(solution_columns());
-    build(record, columns)
+    let table = build(record, columns);
+    // what belongs to a solution is not shown where there is none
+    if has_solution(record) { table } else { without_empty(table) }
+}
+
+/// Whether the case is a contact problem, and not a lemma.
+pub fn has_solution(record: &StudyRecord) -> bool {
+    record.levels.iter().all(Level::has_solution)
 }
 
 /// One row per fitted norm: slope, interval, window and quality of the fit. A rate that is not asymptotic is marked; one
@@ -140,7 +155,7 @@ fn size_columns() -> Vec<Measured<'static>> {
         level_column(),
         h_column(),
         measured("dofs", "dofs", |l| Cell::Count(l.dofs)),
-        measured("contact_pairs", "pairs", |l| Cell::Count(l.contact_pairs)),
+        solved("contact_pairs", "pairs", |l| Cell::Count(l.contact_pairs)),
     ]
 }
 
@@ -168,6 +183,9 @@ fn judged_columns(record: &StudyRecord) -> Vec<Measured<'_>> {
     if matches!(record.kind, ClaimKind::Rate | ClaimKind::Convergence) {
         columns.push(rate_column(record, norm));
     }
+    if record.kind == ClaimKind::Exact && norm.key == "constant" {
+        columns.push(measured("constant_off", "c − 1", |l| Cell::number(l.errors.constant.map(|c| c - 1.0))));
+    }
     columns
 }
 
@@ -184,8 +202,8 @@ fn rate_column<'a>(record: &'a StudyRecord, norm: &'static Norm) -> Measured<'a>
 
 fn contact_columns() -> Vec<Measured<'static>> {
     vec![
-        measured("constraints", "constraints", |l| Cell::Count(l.constraints)),
-        measured("active", "active", |l| Cell::Count(l.active)),
+        solved("constraints", "constraints", |l| Cell::Count(l.constraints)),
+        solved("active", "active", |l| Cell::Count(l.active)),
         measured("switch_sides", "switch sides", |l| Cell::count(l.switch_sides)),
         measured("pressure_l2", "pressure ‖p−pₕ‖₀", |l| Cell::number(l.errors.pressure_l2)),
         measured("pressure_dual", "pressure, dual norm", |l| Cell::number(l.errors.pressure_dual)),
@@ -215,22 +233,27 @@ fn ledger_columns() -> Vec<Measured<'static>> {
 
 fn solution_columns() -> Vec<Measured<'static>> {
     vec![
-        measured("min_angle", "min angle (°)", |l| Cell::Number(l.min_angle)),
+        measured("min_angle", "min angle (°)", min_angle),
         measured("side_ratio", "β", |l| Cell::Number(l.side_ratio)),
         measured("two_way", "two-way", |l| Cell::number(l.two_way)),
-        measured("energy_value", "L(uₕ)", |l| Cell::Number(l.energy)),
-        measured("kkt_stationarity", "KKT stationarity", |l| Cell::Number(l.kkt.stationarity)),
-        measured("kkt_penetration", "KKT penetration", |l| Cell::Number(l.kkt.penetration)),
-        measured("kkt_tension", "KKT tension", |l| Cell::Number(l.kkt.tension)),
-        measured("kkt_complementarity", "KKT compl.", |l| Cell::Number(l.kkt.complementarity)),
-        measured("weakly_active", "weakly active", |l| Cell::Count(l.kkt.weakly_active)),
+        solved("energy_value", "L(uₕ)", |l| Cell::Number(l.energy)),
+        solved("kkt_stationarity", "KKT stationarity", |l| Cell::Number(l.kkt.stationarity)),
+        solved("kkt_penetration", "KKT penetration", |l| Cell::Number(l.kkt.penetration)),
+        solved("kkt_tension", "KKT tension", |l| Cell::Number(l.kkt.tension)),
+        solved("kkt_complementarity", "KKT compl.", |l| Cell::Number(l.kkt.complementarity)),
+        solved("weakly_active", "weakly active", |l| Cell::Count(l.kkt.weakly_active)),
         measured("budget_algebraic", "algebraic", |l| Cell::number(l.budget.algebraic)),
         measured("budget_quadrature", "quadrature", |l| Cell::number(l.budget.quadrature)),
         measured("budget_geometry", "geometry", |l| Cell::number(l.budget.geometry)),
         measured("budget_reference", "reference", |l| Cell::number(l.budget.reference)),
-        measured("solver", "solver", |l| Cell::text(&l.solver.name)),
-        measured("status", "status", |l| Cell::text(&l.solver.status)),
-        measured("iterations", "iterations", |l| Cell::Count(l.solver.iterations)),
+        solved("solver", "solver", |l| Cell::text(&l.solver.name)),
+        solved("status", "status", |l| Cell::text(&l.solver.status)),
+        solved("iterations", "iterations", |l| Cell::Count(l.solver.iterations)),
         measured("mesh_hash", "mesh", |l| Cell::text(&l.mesh_hash)),
     ]
+}
+
+/// Intervals have no angle.
+fn min_angle(level: &Level) -> Cell {
+    if level.has_solution() || level.min_angle > 0.0 { Cell::Number(level.min_angle) } else { Cell::Missing }
 }

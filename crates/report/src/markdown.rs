@@ -28,7 +28,7 @@ pub fn page(record: &StudyRecord, pictures: Pictures) -> String {
         errors(record, pictures.rates),
         ledger(record, pictures.ledger),
         table_section("Contact", &levels::contact(record), CONTACT_LEGEND),
-        table_section("Certificate, budget and solver", &levels::solution(record), SOLUTION_LEGEND),
+        certificate(record),
         notes(record),
         reproduce(record),
     ];
@@ -49,6 +49,10 @@ const SOLUTION_LEGEND: &str = "Two-way: relative difference of A(e,e) by quadrat
 residuals of the optimality conditions, recomputed from the raw data. Algebraic, quadrature, geometry, reference: \
 shares of the energy error that are not discretisation.";
 
+const MESH_LEGEND: &str = "No contact problem is solved here: the numbers are those of meshes and functions alone. \
+Quadrature: share of the measured error that a finer rule would change.";
+const CONSTANT_LEGEND: &str = "h is the largest side.";
+
 fn head(record: &StudyRecord) -> String {
     let case = if record.several { format!(" · case `{}`", record.case) } else { String::new() };
     format!("# {}\n\nStudy `{}`{case} · **{}**\n", record.title, record.study, verdict::words(record))
@@ -66,6 +70,16 @@ fn table_section(title: &str, table: &Table, legend: &str) -> String {
         return String::new();
     }
     section(title, &format!("{}\n{legend}", table.to_markdown()))
+}
+
+/// Of a lemma there is only the mesh and its quadrature.
+fn certificate(record: &StudyRecord) -> String {
+    let table = levels::solution(record);
+    if levels::has_solution(record) {
+        table_section("Certificate, budget and solver", &table, SOLUTION_LEGEND)
+    } else {
+        table_section("Mesh and quadrature", &table, MESH_LEGEND)
+    }
 }
 
 fn claim(record: &StudyRecord) -> String {
@@ -135,7 +149,9 @@ fn fit_words(rate: &Rate) -> String {
 
 fn set_up(record: &StudyRecord) -> String {
     let mut lines = vec![format!("- Family: {}", family_words(record))];
-    lines.push(format!("- Reference: {}", reference_words(&record.reference)));
+    if levels::has_solution(record) {
+        lines.push(format!("- Reference: {}", reference_words(&record.reference)));
+    }
     lines.push(format!("- Profile: {}, {} levels", record.profile, record.levels.len()));
     if !record.parameters.is_empty() {
         let values = record.parameters.iter();
@@ -188,14 +204,19 @@ fn errors(record: &StudyRecord, picture: bool) -> String {
     if record.levels.is_empty() {
         return String::new();
     }
-    let mut body = image(picture, "rates.png", "Errors against mesh size");
-    body += &format!("{}\n{ERRORS_LEGEND}\n", levels::errors(record).to_markdown());
+    let mut body = image(
+        picture,
+        "rates.png",
+        if record.norm == "constant" { "Constants against mesh size" } else { "Errors against mesh size" },
+    );
+    let legend = if record.norm == "constant" { CONSTANT_LEGEND } else { ERRORS_LEGEND };
+    body += &format!("{}\n{legend}\n", levels::errors(record).to_markdown());
     if !record.rates.is_empty() {
         let table = levels::rates(record);
         let marked = table.rows.iter().any(|row| row.excluded.is_some());
         body += &format!("\n{}", table.to_markdown_above(if marked { DOUBTFUL_RATES } else { "" }));
     }
-    section("Errors", &body)
+    section(if record.norm == "constant" { "Constants" } else { "Errors" }, &body)
 }
 
 fn ledger(record: &StudyRecord, picture: bool) -> String {

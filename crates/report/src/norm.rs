@@ -70,7 +70,7 @@ impl Trust {
 }
 
 /// Every norm, in the order of tables and legends.
-pub const NORMS: [Norm; 11] = [
+pub const NORMS: [Norm; 13] = [
     errors_field!("strain", "strain", "|u−uₕ|", strain),
     errors_field!("energy", "energy", "√A(e,e)", energy),
     errors_field!("h1", "H¹", "‖u−uₕ‖₁", h1),
@@ -81,6 +81,8 @@ pub const NORMS: [Norm; 11] = [
     errors_field!("contact_set", "contact set", "|C △ Cₕ|", contact_set),
     errors_field!("energy_gap", "energy gap", "L(uₕ)−L(u)", energy_gap),
     errors_field!("interpolation", "interpolation", "√A(u−u_I,u−u_I)", interpolation),
+    errors_field!("boundary_l2", "boundary L²", "‖u−u_I‖₀ on ∂Ω", boundary_l2),
+    errors_field!("constant", "constant", "c", constant),
     Norm { key: "b_over_h2", words: "constant", symbol: "b/h²", value: b_over_h2 },
 ];
 

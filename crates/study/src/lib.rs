@@ -9,6 +9,7 @@ pub mod expr;
 pub mod family;
 pub mod file;
 mod finite;
+pub mod lemma;
 pub mod nearest;
 pub mod rate;
 pub mod record;

@@ -111,6 +111,10 @@ pub struct Level {
     pub min_angle: f64,
     /// Longest over shortest side, `β`.
     pub side_ratio: f64,
+    /// Longest straight side over the longest chord of a curved one, at most 1 where the hypothesis of Theorem 3.3 is met;
+    /// `None` where nothing is curved, and in records of older runs.
+    #[serde(default)]
+    pub straight_over_chord: Option<f64>,
     /// Whether `V_{k−1} ⊂ V_k` (false on the coarsest level of a family that is not nested).
     pub nested: bool,
     /// Displacement components not fixed by `Γ_u` or `Γ_0`.
@@ -178,15 +182,32 @@ pub struct Errors {
     pub strain_bodies: Option<[f64; 2]>,
     /// `√A(u−u_I, u−u_I)`, the interpolation error the ceiling is measured by.
     pub interpolation: Option<f64>,
+    /// `‖u − u_I‖_{0,∂Ω}`, of Lemma 3.2. Not in records of older runs.
+    #[serde(default)]
+    pub boundary_l2: Option<f64>,
+    /// The constant of an estimate, of Lemmas 3.3 and 3.4: no error, so no rate is fitted to it. Not in records of older
+    /// runs.
+    #[serde(default)]
+    pub constant: Option<f64>,
 }
 
 impl Errors {
     /// Names of the errors that a rate is fitted to, in the order of the record.
-    pub const NORMS: [&'static str; 9] =
-        ["strain", "energy", "h1", "l2", "pressure_l2", "pressure_dual", "penetration_l2", "contact_set", "energy_gap"];
+    pub const NORMS: [&'static str; 10] = [
+        "strain",
+        "energy",
+        "h1",
+        "l2",
+        "pressure_l2",
+        "pressure_dual",
+        "penetration_l2",
+        "contact_set",
+        "energy_gap",
+        "boundary_l2",
+    ];
 
-    /// The error of the given name; the signed `energy_gap` by its absolute value. `None` for a missing value and for
-    /// a name that is not in [`Errors::NORMS`].
+    /// The error of the given name; the signed `energy_gap` by its absolute value; `constant` too, which is
+    /// none of [`Errors::NORMS`]. `None` for a missing value and for an unknown name.
     pub fn size(&self, name: &str) -> Option<f64> {
         match name {
             "strain" => self.strain,
@@ -198,6 +219,8 @@ impl Errors {
             "penetration_l2" => self.penetration_l2,
             "contact_set" => self.contact_set,
             "energy_gap" => self.energy_gap.map(f64::abs),
+            "boundary_l2" => self.boundary_l2,
+            "constant" => self.constant,
             _ => None,
         }
     }
@@ -265,6 +288,11 @@ pub struct Budget {
     pub reference: Option<f64>,
 }
 
+/// [`SolverRecord::name`] of a level on which nothing is solved: a lemma is measured on it. Its energy, its counts of
+/// pairs and constraints and its [`Kkt`] residuals are zero and mean nothing; `dofs` are two for every node; the smallest
+/// angle is 0 where the family consists of intervals.
+pub const NO_SOLVER: &str = "none";
+
 /// How a level was solved.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct SolverRecord {
@@ -278,6 +306,20 @@ pub struct SolverRecord {
     pub iterations: usize,
     /// Sparse factorisations.
     pub factorizations: usize,
+}
+
+impl SolverRecord {
+    /// Of a level on which nothing is solved.
+    pub fn nothing_to_solve() -> Self {
+        Self { name: NO_SOLVER.into(), status: "nothing to solve".into(), solved: true, ..Self::default() }
+    }
+}
+
+impl Level {
+    /// Whether a contact problem was solved on this level; `false` where a lemma was measured, see [`NO_SOLVER`].
+    pub fn has_solution(&self) -> bool {
+        self.solver.name != NO_SOLVER
+    }
 }
 
 /// A fitted rate, `e ≈ C h^slope`.

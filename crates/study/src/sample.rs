@@ -22,6 +22,7 @@ pub(crate) fn level(k: usize, error: f64) -> Level {
         h: 0.125 * 0.5_f64.powi(k as i32),
         min_angle: 45.0,
         side_ratio: 2.0_f64.sqrt(),
+        straight_over_chord: None,
         nested: k > 0,
         dofs: 4 * n * n,
         contact_pairs: n + 1,

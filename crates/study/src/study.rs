@@ -3,6 +3,7 @@
 use crate::claim::Claim;
 use crate::exact::Exact;
 use crate::family::Family;
+use crate::lemma::Lemma;
 use crate::record::{Bounds, Outcome};
 use signorini_contact::element::CurvedElement;
 use signorini_contact::geometry::SharedCurve;
@@ -39,7 +40,7 @@ pub struct Case {
     pub name: String,
     /// What is measured.
     pub subject: Subject,
-    /// Family of triangulations.
+    /// Family of triangulations of a contact problem; a lemma has its own.
     pub family: Family,
     /// Cells per unit of the coarse block division on each level, coarsest first: quick profile.
     pub quick: Vec<usize>,
@@ -75,13 +76,33 @@ pub struct Case {
 pub enum Subject {
     /// A contact problem, solved on every level.
     Contact(Box<Scene>),
+    /// A lemma, measured on every level; nothing is solved.
+    Lemma(Lemma),
 }
 
 impl Case {
     /// The scene of a contact problem.
     pub fn scene(&self) -> Option<&Scene> {
-        let Subject::Contact(scene) = &self.subject;
-        Some(scene)
+        match &self.subject {
+            Subject::Contact(scene) => Some(scene),
+            Subject::Lemma(_) => None,
+        }
+    }
+
+    /// The name of the family of meshes.
+    pub fn family_name(&self) -> &'static str {
+        match &self.subject {
+            Subject::Contact(_) => self.family.name(),
+            Subject::Lemma(lemma) => lemma.family(),
+        }
+    }
+
+    /// The seed of a random family, 0 where nothing is random.
+    pub fn seed(&self) -> u64 {
+        match &self.subject {
+            Subject::Contact(_) => self.family.seed(),
+            Subject::Lemma(lemma) => lemma.seed(),
+        }
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::chart::{Band, Chart, Colour, Curve, Mark, MarkKind, Shape, Slope};
 use crate::format;
+use crate::levels;
 use crate::markdown;
 use crate::norm::{self, NORMS, Norm, Trust, judged_rate};
 use crate::summary::name;
@@ -33,6 +34,9 @@ pub fn rates(record: &StudyRecord) -> Option<Chart> {
 }
 
 fn y_label(record: &StudyRecord) -> String {
+    if !levels::has_solution(record) {
+        return norm::words(&record.norm);
+    }
     match record.reference {
         Reference::Exact => "error norms, e = u − uₕ".into(),
         Reference::Overkill { .. } => "error norms, e = u − uₕ, u the reference solution".into(),

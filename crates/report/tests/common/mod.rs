@@ -44,6 +44,7 @@ pub fn healthy() -> StudyRecord {
             a: 0.52 * square,
             b: 0.03 * square * (1.0 + 0.5 * (level.level as f64).sin()),
             c: 0.0,
+            parts: Default::default(),
             delta: 1e-9 * square,
             holds: Some(true),
         });
@@ -91,6 +92,7 @@ fn level(k: usize, errors: impl Fn(f64) -> Errors) -> Level {
         h,
         min_angle: 45.0,
         side_ratio: std::f64::consts::SQRT_2,
+        straight_over_chord: None,
         nested: k > 0,
         dofs: 4 * n * n,
         contact_pairs: n + 1,
@@ -152,7 +154,8 @@ pub fn hard() -> Vec<(&'static str, StudyRecord)> {
         level.errors = Errors::default();
         level.ledger = None;
         zero.levels[k].errors = Errors { strain: Some(0.0), ..Errors::default() };
-        zero.levels[k].ledger = Some(Ledger { lhs: 0.0, a: 0.0, b: 0.0, c: 0.0, delta: 0.0, holds: None });
+        zero.levels[k].ledger =
+            Some(Ledger { lhs: 0.0, a: 0.0, b: 0.0, c: 0.0, parts: Default::default(), delta: 0.0, holds: None });
         one_mesh.levels[k].h = 0.1;
         if let Some(ledger) = &mut negative.levels[k].ledger {
             ledger.b *= if k % 2 == 0 { -1.0 } else { 1.0 };

@@ -12,7 +12,7 @@ use signorini_contact::mesh::blocks::Pattern;
 pub mod delaunay;
 mod level;
 mod perturb;
-mod random;
+pub(crate) mod random;
 #[cfg(test)]
 mod tests;
 

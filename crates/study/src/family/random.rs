@@ -3,7 +3,7 @@
 /// SplitMix64 (G. L. Steele, D. Lea, C. H. Flood: *Fast Splittable Pseudorandom Number Generators*, 2014): integer
 /// operations alone, and conversions to `f64` that are exact.
 #[derive(Clone, Debug)]
-pub(super) struct Random(u64);
+pub(crate) struct Random(u64);
 
 impl Random {
     /// An independent sequence for each pair of a seed and a stream.

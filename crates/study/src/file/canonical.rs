@@ -17,6 +17,7 @@ pub fn text(case: &Case, layer: &Layer<'_>, claim: &Claim) -> String {
     let mut lines = Lines(String::new());
     match &case.subject {
         Subject::Contact(scene) => contact(&mut lines, scene, layer),
+        Subject::Lemma(lemma) => lines.put("lemma", lemma.describe()),
     }
     lines.put("parameters", format!("{:?}", layer.parameters));
     lines.put("family", format!("{:?}", case.family));

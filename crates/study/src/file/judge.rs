@@ -6,12 +6,14 @@ use super::raw::{RawClaim, RawExpected, RawGates, RawStudy};
 use super::words::suggestion;
 use crate::claim::Claim;
 use crate::claim::catalogue::{Standing, catalogue, find};
+use crate::lemma::Lemma;
 use crate::record::{Bounds, Errors};
 use crate::study::Gates;
+use std::ops::Range;
 use toml::Spanned;
 
 /// What else than an error norm a claim of a study's own may judge.
-const CONSTANTS: [&str; 2] = ["b_over_h2", "ledger"];
+const CONSTANTS: [&str; 3] = ["b_over_h2", "ledger", "constant"];
 
 /// The study's claim: one of the catalogue or its own.
 pub fn claim(raw: &RawStudy) -> Result<Claim, Fault> {
@@ -114,4 +116,21 @@ fn between<T>(name: &str, x: f64, raw: &Spanned<T>, low: f64, high: f64) -> Resu
     }
     let bound = if high.is_finite() { format!("lie between {low} and {high}") } else { format!("exceed {low}") };
     refuse(raw.span(), format!("{name} = {x} must {bound}"), "leave it out to keep the default")
+}
+
+/// Whether what the claim judges is measured by the case: a lemma measures one quantity, which no contact problem has.
+pub fn is_measured(claim: &Claim, lemma: Option<&Lemma>, span: Range<usize>) -> Result<(), Fault> {
+    let norm = claim.norm.as_str();
+    let of_lemmas = ["boundary_l2", "constant"].contains(&norm);
+    match lemma {
+        Some(lemma) if lemma.norm() != norm => {
+            let message = format!("the claim judges `{norm}`, and this lemma measures `{}`", lemma.norm());
+            refuse(span, message, "choose the claim of the lemma, or state it as [own_claim]")
+        }
+        None if of_lemmas => {
+            let message = format!("the claim judges `{norm}`, which only a lemma measures");
+            refuse(span, message, "give a table [lemma], or choose another claim")
+        }
+        _ => Ok(()),
+    }
 }

@@ -16,6 +16,7 @@ mod field;
 mod fixed;
 mod judge;
 mod layer;
+mod lemma;
 pub mod library;
 mod material;
 mod number;

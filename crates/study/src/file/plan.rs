@@ -109,6 +109,12 @@ pub fn levels(
     Ok(lists)
 }
 
+/// Where the levels are stated: the full profile's or the quick one's list, else `place`.
+pub fn levels_place(raw: Option<&RawLevels>, place: Range<usize>) -> Range<usize> {
+    let lists = raw.and_then(|r| r.quick.as_ref().or(r.full.as_ref()));
+    lists.map_or(place, Spanned::span)
+}
+
 fn profile(raw: Option<&Spanned<Vec<usize>>>, last: usize, control: bool) -> Result<Vec<usize>, Fault> {
     let Some(raw) = raw else { return Ok(doubling(last)) };
     let list = raw.get_ref();

@@ -33,6 +33,7 @@ pub struct RawStudy {
     pub curve: Option<Vec<Spanned<RawCurve>>>,
     pub discretisation: Option<Spanned<RawDiscretisation>>,
     pub exact: Option<Spanned<RawExact>>,
+    pub lemma: Option<Spanned<RawLemma>>,
     pub family: Option<Spanned<RawFamily>>,
     pub levels: Option<RawLevels>,
     pub reference: Option<Spanned<RawReference>>,
@@ -56,6 +57,7 @@ pub struct RawCase {
     pub curve: Option<Vec<Spanned<RawCurve>>>,
     pub discretisation: Option<Spanned<RawDiscretisation>>,
     pub exact: Option<Spanned<RawExact>>,
+    pub lemma: Option<Spanned<RawLemma>>,
     pub family: Option<Spanned<RawFamily>>,
     pub levels: Option<RawLevels>,
     pub reference: Option<Spanned<RawReference>>,
@@ -162,6 +164,13 @@ pub struct RawContact {
     pub direction: Option<Spanned<RawPoint>>,
 }
 
+impl RawContact {
+    /// Where the zone is said to be.
+    pub fn span(&self) -> Option<std::ops::Range<usize>> {
+        self.along.as_ref().map(Spanned::span).or(self.gap.as_ref().map(Spanned::span))
+    }
+}
+
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct RawCurve {
@@ -239,7 +248,7 @@ pub struct RawExact {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct RawTraces {
-    pub lemma: Spanned<LemmaName>,
+    pub lemma: Spanned<TraceLemma>,
     pub w: RawField,
     pub a: RawField,
     pub p: Spanned<String>,
@@ -258,13 +267,13 @@ pub struct RawTraces {
 
 #[derive(Clone, Copy, Debug, Deserialize, PartialEq)]
 #[serde(rename_all = "kebab-case")]
-pub enum LemmaName {
+pub enum TraceLemma {
     Line,
     Arc,
     Graph,
 }
 
-impl LemmaName {
+impl TraceLemma {
     /// As it is written in the file.
     pub fn word(self) -> &'static str {
         match self {
@@ -279,6 +288,41 @@ impl LemmaName {
 #[serde(deny_unknown_fields)]
 pub struct RawLame {
     pub lame: Fixed<Finite, 2>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawLemma {
+    pub kind: LemmaName,
+    pub semi_axes: Option<Spanned<Fixed<Finite, 2>>>,
+    pub function: Option<Spanned<String>>,
+    pub side: Option<Spanned<SideName>>,
+    pub interval: Option<Spanned<Fixed<Finite, 2>>>,
+    pub norms: Option<Spanned<NormsName>>,
+    pub seed: Option<Spanned<u64>>,
+}
+
+#[derive(Clone, Copy, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum LemmaName {
+    BoundaryInterpolation,
+    InverseInequality,
+    Strip,
+}
+
+#[derive(Clone, Copy, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum SideName {
+    Inside,
+    Outside,
+}
+
+#[derive(Clone, Copy, Deserialize, PartialEq)]
+#[serde(rename_all = "kebab-case")]
+pub enum NormsName {
+    Seminorms,
+    FullRight,
+    Full,
 }
 
 #[derive(Deserialize)]

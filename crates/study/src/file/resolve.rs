@@ -6,8 +6,9 @@ use super::error::{Fault, refuse};
 use super::field::{INSIDE, vector_field};
 use super::layer::Layer;
 use super::raw::{Expect, RawBody, RawStudy};
-use super::{boundary, discretisation, exact, judge, material, plan, shape, words};
+use super::{boundary, discretisation, exact, judge, lemma, material, plan, shape, words};
 use crate::claim::Claim;
+use crate::lemma::Lemma;
 use crate::record::Outcome;
 use crate::study::{Case, ReferencePlan, Scene, Study, Subject};
 use std::collections::BTreeMap;
@@ -60,16 +61,33 @@ fn cases(raw: &RawStudy, claim: &Claim) -> Result<Vec<Case>, Fault> {
 fn case(name: &Spanned<String>, layer: Layer<'_>, claim: &Claim) -> Result<Case, Fault> {
     let place = name.span();
     let control = layer.expect.is_some();
-    let scene = scene(&layer, &place, control)?;
+    let subject = subject(&layer, &place, control)?;
+    let lemma = match &subject {
+        Subject::Lemma(lemma) => Some(lemma),
+        Subject::Contact(_) => None,
+    };
+    judge::is_measured(claim, lemma, place.clone())?;
     let family = plan::family(layer.family)?;
-    let reference = plan::reference(layer.reference, scene.exact.is_some(), &family, place.clone())?;
-    let [quick, full] = plan::levels(layer.levels, &family, &reference, control, place)?;
-    let (gates, fixed_quadrature) = judge::gates(layer.gates, control)?;
+    let reference = match &subject {
+        Subject::Contact(scene) => plan::reference(layer.reference, scene.exact.is_some(), &family, place.clone())?,
+        // A function is known exactly; a constant is measured against nothing.
+        Subject::Lemma(Lemma::BoundaryInterpolation { .. }) => ReferencePlan::Exact,
+        Subject::Lemma(_) => ReferencePlan::None,
+    };
+    let [quick, full] = plan::levels(layer.levels, &family, &reference, control, place.clone())?;
+    if lemma.is_some_and(Lemma::halves) {
+        lemma::powers_of_two(&[&quick[..], &full[..]].concat(), plan::levels_place(layer.levels, place))?;
+    }
+    let (mut gates, fixed_quadrature) = judge::gates(layer.gates, control)?;
+    if lemma.is_some() {
+        // the ceiling holds the error of a discrete solution against that of an interpolant; here there is no solution
+        gates.ceiling = None;
+    }
     let (bounds, expected_is_asymptotic) = judge::bounds(&claim.bounds, layer.expected)?;
     let mut case = Case {
         name: name.get_ref().clone(),
-        notes: notes(&layer, &scene, &reference),
-        subject: Subject::Contact(Box::new(scene)),
+        notes: notes(&layer, &subject, &reference),
+        subject,
         family,
         quick,
         full,
@@ -97,15 +115,27 @@ fn outcome(expect: Expect) -> Outcome {
 }
 
 /// Remarks of the exact solution, and the reasons given for gates and expectations.
-fn notes(layer: &Layer<'_>, scene: &Scene, reference: &ReferencePlan) -> Vec<String> {
-    let mut notes = scene.exact.as_ref().map_or_else(Vec::new, |e| e.solution.notes());
-    if let (Some(_), ReferencePlan::Overkill { .. }) = (&scene.exact, reference) {
+fn notes(layer: &Layer<'_>, subject: &Subject, reference: &ReferencePlan) -> Vec<String> {
+    let exact = match subject {
+        Subject::Contact(scene) => scene.exact.as_ref(),
+        Subject::Lemma(_) => None,
+    };
+    let mut notes = exact.map_or_else(Vec::new, |e| e.solution.notes());
+    if let (Some(_), ReferencePlan::Overkill { .. }) = (exact, reference) {
         notes.push("loads come from the exact solution, errors are measured against the overkill reference".into());
     }
     let gates = layer.gates.and_then(|g| g.get_ref().reason.as_ref()).map(|r| format!("gates: {r}"));
     let expected = layer.expected.and_then(|e| e.get_ref().reason.as_ref()).map(|r| format!("expected rate: {r}"));
     notes.extend(gates.into_iter().chain(expected));
     notes
+}
+
+fn subject(layer: &Layer<'_>, place: &Range<usize>, control: bool) -> Result<Subject, Fault> {
+    let Some(raw) = layer.lemma else {
+        return Ok(Subject::Contact(Box::new(scene(layer, place, control)?)));
+    };
+    lemma::nothing_else(layer)?;
+    lemma::lemma(raw, &layer.parameters).map(Subject::Lemma)
 }
 
 fn scene(layer: &Layer<'_>, place: &Range<usize>, control: bool) -> Result<Scene, Fault> {

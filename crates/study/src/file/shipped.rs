@@ -19,6 +19,10 @@ shipped! {
     Standard "":
         "corner-patch"
         "lemma-2-1"
+        "lemma-3-2"
+        "lemma-3-3-full"
+        "lemma-3-3"
+        "lemma-3-4"
         "many-switches"
         "remark-3-2a"
         "remark-3-2b"

@@ -3,7 +3,7 @@
 use super::error::{Fault, refuse};
 use super::field::expression_fault;
 use super::number::Finite;
-use super::raw::{LemmaName, RawField, RawTraces};
+use super::raw::{RawField, RawTraces, TraceLemma};
 use super::shape::point;
 use crate::exact::{LineText, TraceError, TraceName, TraceTexts, Traces};
 use crate::study::Shape;
@@ -53,11 +53,11 @@ fn pair(raw: &RawField) -> [&str; 2] {
 /// Refuses what belongs to the line of another lemma.
 fn only_its_own(raw: &RawTraces) -> Result<(), Fault> {
     let lemma = *raw.lemma.get_ref();
-    let places: [(&str, Option<Range<usize>>, LemmaName); 4] = [
-        ("centre", raw.centre.as_ref().map(Spanned::span), LemmaName::Arc),
-        ("radius", raw.radius.as_ref().map(Spanned::span), LemmaName::Arc),
-        ("middle", raw.middle.as_ref().map(Spanned::span), LemmaName::Arc),
-        ("f", raw.f.as_ref().map(Spanned::span), LemmaName::Graph),
+    let places: [(&str, Option<Range<usize>>, TraceLemma); 4] = [
+        ("centre", raw.centre.as_ref().map(Spanned::span), TraceLemma::Arc),
+        ("radius", raw.radius.as_ref().map(Spanned::span), TraceLemma::Arc),
+        ("middle", raw.middle.as_ref().map(Spanned::span), TraceLemma::Arc),
+        ("f", raw.f.as_ref().map(Spanned::span), TraceLemma::Graph),
     ];
     for (key, span, owner) in places {
         if let Some(span) = span.filter(|_| owner != lemma) {
@@ -74,15 +74,15 @@ fn line(raw: &RawTraces) -> Result<LineText<'_>, Fault> {
         refuse(raw.lemma.span(), message, format!("add {example}"))
     };
     match (raw.lemma.get_ref(), &raw.centre, &raw.radius, &raw.f) {
-        (LemmaName::Line, ..) => Ok(LineText::Straight),
-        (LemmaName::Arc, Some(centre), Some(radius), _) => Ok(LineText::Arc {
+        (TraceLemma::Line, ..) => Ok(LineText::Straight),
+        (TraceLemma::Arc, Some(centre), Some(radius), _) => Ok(LineText::Arc {
             centre: point(centre.get_ref()),
             radius: radius.get_ref().0,
             middle: raw.middle.as_ref().map_or(0.0, |angle| angle.get_ref().0),
         }),
-        (LemmaName::Arc, ..) => missing("`centre` and `radius`", "for example `centre = [0, 0]` and `radius = 1`"),
-        (LemmaName::Graph, _, _, Some(f)) => Ok(LineText::Graph { f: pair(f.get_ref()) }),
-        (LemmaName::Graph, ..) => {
+        (TraceLemma::Arc, ..) => missing("`centre` and `radius`", "for example `centre = [0, 0]` and `radius = 1`"),
+        (TraceLemma::Graph, _, _, Some(f)) => Ok(LineText::Graph { f: pair(f.get_ref()) }),
+        (TraceLemma::Graph, ..) => {
             missing("`f`", "for example `f = [\"eta^2/4\", \"-eta^2/8\"]`, first body on the right")
         }
     }

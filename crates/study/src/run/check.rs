@@ -3,6 +3,7 @@
 use super::{Profile, verify_exact};
 use crate::error::RunError;
 use crate::family;
+use crate::record::Level;
 use crate::study::{Case, ReferencePlan, Scene, Subject};
 use signorini_contact::problem::Problem;
 
@@ -34,9 +35,13 @@ pub struct CheckedLevel {
 /// # Errors
 /// As [`run_case`](super::run_case).
 pub fn check_case(case: &Case, profile: Profile) -> Result<Vec<CheckedLevel>, RunError> {
-    let Subject::Contact(scene) = &case.subject;
-    verify_exact(case, scene)?;
     let cells = if profile == Profile::Quick { &case.quick } else { &case.full };
+    let scene = match &case.subject {
+        Subject::Contact(scene) => scene,
+        // A lemma solves nothing, so measuring it is all there is to check.
+        Subject::Lemma(lemma) => return (0..cells.len()).map(|k| lemma.measure(cells, k).map(checked)).collect(),
+    };
+    verify_exact(case, scene)?;
     let levels: Result<Vec<_>, _> = (0..cells.len()).map(|index| check_level(case, scene, cells, index)).collect();
     if let ReferencePlan::Overkill { .. } = case.reference
         && !case.family.is_nested()
@@ -47,6 +52,20 @@ pub fn check_case(case: &Case, profile: Profile) -> Result<Vec<CheckedLevel>, Ru
         )));
     }
     levels
+}
+
+fn checked(level: Level) -> CheckedLevel {
+    CheckedLevel {
+        cells: level.cells,
+        h: level.h,
+        min_angle: level.min_angle,
+        side_ratio: level.side_ratio,
+        nested: level.nested,
+        dofs: level.dofs,
+        contact_pairs: level.contact_pairs,
+        constraints: level.constraints,
+        warnings: level.warnings,
+    }
 }
 
 fn check_level(case: &Case, scene: &Scene, cells: &[usize], index: usize) -> Result<CheckedLevel, RunError> {

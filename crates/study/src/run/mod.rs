@@ -15,6 +15,7 @@ mod zone_ledger;
 
 use crate::error::RunError;
 use crate::exact::verify;
+use crate::lemma::Lemma;
 use crate::rate;
 use crate::record::{Level, Reference, SCHEMA, StudyRecord};
 use crate::reference::overkill::Overkill;
@@ -29,7 +30,7 @@ pub use signorini_contact::solver::Method;
 use signorini_contact::solver::Settings;
 use signorini_contact::zone::Zone;
 use std::path::PathBuf;
-use timing::LevelTimes;
+use timing::{LevelTimes, Stopwatch};
 
 /// How large the meshes are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -108,7 +109,51 @@ pub fn each_case<T: Send>(
 /// # Errors
 /// Meaningless input: an exact solution that breaks its contact conditions, a load without equilibrium, …
 pub fn run_case(study: &Study, case: &Case, settings: &RunSettings, watch: &dyn Watch) -> Result<CaseRun, RunError> {
-    let Subject::Contact(scene) = &case.subject;
+    match &case.subject {
+        Subject::Contact(scene) => run_contact(study, case, scene, settings, watch),
+        Subject::Lemma(lemma) => run_lemma(study, case, lemma, settings, watch),
+    }
+}
+
+/// Measures a lemma on every level.
+fn run_lemma(
+    study: &Study,
+    case: &Case,
+    lemma: &Lemma,
+    settings: &RunSettings,
+    watch: &dyn Watch,
+) -> Result<CaseRun, RunError> {
+    let cells = cells_of(case, settings);
+    let measure = |index: usize| {
+        let mut clock = Stopwatch::start();
+        let level = lemma.measure(cells, index)?;
+        clock.lap(|t| &mut t.error);
+        watch.level_done(&study.id, &case.name, index);
+        Ok((level, clock.finish()))
+    };
+    let (levels, times) = side_by_side(cells.len(), measure)?;
+    let reference = if case.reference == ReferencePlan::Exact { Reference::Exact } else { Reference::None };
+    let record = conclude(study, case, settings, levels, reference);
+    Ok(CaseRun { record, times, reference_times: None, kept: Partial::none() })
+}
+
+/// Measures all levels, each by itself; the first error in their order.
+fn side_by_side(
+    levels: usize,
+    measure: impl Fn(usize) -> Result<(Level, LevelTimes), RunError> + Sync + Send,
+) -> Result<(Vec<Level>, Vec<LevelTimes>), RunError> {
+    let measured: Result<Vec<_>, RunError> =
+        (0..levels).into_par_iter().map(measure).collect::<Vec<_>>().into_iter().collect();
+    Ok(measured?.into_iter().unzip())
+}
+
+fn run_contact(
+    study: &Study,
+    case: &Case,
+    scene: &Scene,
+    settings: &RunSettings,
+    watch: &dyn Watch,
+) -> Result<CaseRun, RunError> {
     verify_exact(case, scene)?;
     let cells = cells_of(case, settings);
     let task = Task { case, scene, cells, settings: solver_settings(case, settings), constrain: Zone::new };
@@ -122,9 +167,7 @@ pub fn run_case(study: &Study, case: &Case, settings: &RunSettings, watch: &dyn 
         watch.level_done(&study.id, &case.name, index);
         measured
     };
-    let measured: Result<Vec<_>, RunError> =
-        (0..cells.len()).into_par_iter().map(measure).collect::<Vec<_>>().into_iter().collect();
-    let (levels, times): (Vec<Level>, Vec<LevelTimes>) = measured?.into_iter().unzip();
+    let (levels, times) = side_by_side(cells.len(), measure)?;
     let reference = reference::describe(case, overkill.as_ref().map(|(o, _)| o), &task);
     let record = conclude(study, case, settings, levels, reference);
     Ok(CaseRun { record, times, reference_times: overkill.map(|(_, t)| t), kept: partial })
@@ -224,10 +267,10 @@ fn conclude(
         statement: claim.statement.clone(),
         kind: claim.kind,
         norm: claim.norm.clone(),
-        family: case.family.name().to_owned(),
+        family: case.family_name().to_owned(),
         reference,
         profile: profile_name(settings).to_owned(),
-        seed: case.family.seed(),
+        seed: case.seed(),
         levels,
         rates,
         bounds: case.bounds.clone(),

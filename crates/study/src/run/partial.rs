@@ -27,9 +27,14 @@ struct Kept {
 }
 
 impl Partial {
+    /// Keeps nothing: for levels that are measured faster than they are kept.
+    pub fn none() -> Self {
+        Self { folder: None }
+    }
+
     /// The folder of this case under these settings, if the run keeps one.
     pub fn open(study: &Study, case: &Case, settings: &RunSettings, task: &Task) -> Result<Self, RunError> {
-        let Some(root) = &settings.partial else { return Ok(Self { folder: None }) };
+        let Some(root) = &settings.partial else { return Ok(Self::none()) };
         let what = format!(
             "{}\n{}\n{}\n{:?}\n{:?}\n{:?}\n{}",
             study.id,

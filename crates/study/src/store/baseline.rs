@@ -50,6 +50,12 @@ pub struct BaselineLevel {
     pub strain_error: Option<f64>,
     /// Energy norm of the error.
     pub energy_error: Option<f64>,
+    /// Interpolation error on the boundary, of a lemma.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub boundary_error: Option<f64>,
+    /// Constant of an estimate, of a lemma.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub constant: Option<f64>,
     /// Solver.
     pub solver: String,
     /// Scaled stationarity residual.
@@ -132,6 +138,8 @@ impl From<&Level> for BaselineLevel {
             energy: level.energy,
             strain_error: level.errors.strain,
             energy_error: level.errors.energy,
+            boundary_error: level.errors.boundary_l2,
+            constant: level.errors.constant,
             solver: level.solver.name.clone(),
             stationarity: level.kkt.stationarity,
         }

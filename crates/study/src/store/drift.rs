@@ -55,11 +55,14 @@ fn of_solution(b: &BaselineLevel, l: &Level) -> Vec<String> {
 
 fn of_errors(b: &BaselineLevel, l: &Level) -> Vec<String> {
     let floor = ROUNDING * l.solution_energy.unwrap_or(0.0);
-    let errors = [("strain", l.errors.strain, b.strain_error), ("energy", l.errors.energy, b.energy_error)];
+    let errors = [
+        ("strain error", l.errors.strain, b.strain_error),
+        ("energy error", l.errors.energy, b.energy_error),
+        ("boundary error", l.errors.boundary_l2, b.boundary_error),
+        ("constant", l.errors.constant, b.constant),
+    ];
     let moved = errors.into_iter().filter(|(_, now, was)| !same_error(*now, *was, floor));
-    moved
-        .map(|(name, now, was)| format!("level {}: {name} error {}, was {}", l.level, number(now), number(was)))
-        .collect()
+    moved.map(|(name, now, was)| format!("level {}: {name} {}, was {}", l.level, number(now), number(was))).collect()
 }
 
 /// Equal to half a unit of the fourth significant digit, or to rounding.
@@ -143,13 +146,14 @@ mod tests {
     #[test]
     fn every_change_is_told() {
         type Change = fn(&mut StudyRecord);
-        let changes: [(Change, &str); 8] = [
+        let changes: [(Change, &str); 9] = [
             (|r| r.levels[2].energy *= 1.0 + 2e-8, "level 2: energy"),
             (|r| r.levels[2].energy = f64::NAN, "level 2: energy NaN"),
             (|r| r.levels[1].errors.strain = r.levels[1].errors.strain.map(|e| 1.001 * e), "level 1: strain error"),
             (|r| r.levels[1].errors.energy = None, "level 1: energy error –"),
             (|r| r.levels[4].mesh_hash = "f".repeat(16), "level 4: mesh"),
             (|r| r.rates.get_mut("strain").unwrap().slope += 6e-4, "strain: rate 1.0006, was 1.0000"),
+            (|r| r.levels[1].errors.constant = Some(1.0), "level 1: constant 1.00000e0, was –"),
             (|r| drop(r.rates.remove("dofs")), "dofs: the rate is gone"),
             (|r| r.case = "delaunay".into(), "case delaunay has no baseline"),
         ];

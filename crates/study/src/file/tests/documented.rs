@@ -36,6 +36,7 @@ fn every_field_is_documented() {
         "[discretisation]",
         "[exact]",
         "[exact.traces]",
+        "[lemma]",
         "[family]",
         "[levels]",
         "[reference]",

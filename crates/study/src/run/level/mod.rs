@@ -182,6 +182,7 @@ impl Task<'_> {
             h: meshed.quality.h,
             min_angle: meshed.quality.min_angle,
             side_ratio: meshed.quality.side_ratio,
+            straight_over_chord: meshed.quality.straight_over_chord,
             nested: meshed.nested,
             dofs: discrete.dofs(),
             contact_pairs: discrete.zone.pairs.len(),
