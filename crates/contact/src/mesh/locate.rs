@@ -80,7 +80,7 @@ impl<'a> Locator<'a> {
     }
 
     /// How far `x` lies outside of triangle `t`: the largest distance beyond one of its sides.
-    fn excess(&self, t: usize, x: Point) -> f64 {
+    pub(super) fn excess(&self, t: usize, x: Point) -> f64 {
         if let Some(curved) = self.mesh.curved_triangle(t) {
             return curved.excess(x);
         }
@@ -183,7 +183,3 @@ fn bounding_box(mesh: &Mesh, t: usize) -> [Point; 2] {
     let margin = 0.05 * (high - low).max() * Vec2::new(1.0, 1.0);
     [low - margin, high + margin]
 }
-
-#[cfg(test)]
-#[path = "tests/locate.rs"]
-mod tests;

@@ -1,39 +1,13 @@
 //! Points found again: in their own triangle, in a coarser mesh of the same bodies, on either side of an arc.
 
+use super::quarter_disc;
 use crate::element::CurvedElement;
-use crate::geometry::{CircularArc, ContactLine, Path, Point, SharedCurve, Vec2};
-use crate::mesh::blocks::{Pattern, QuadBlock, triangulate};
-use crate::mesh::tests::{part, points};
+use crate::geometry::{Point, Vec2};
 use crate::mesh::{Body, Located, Locator, Mesh};
 use crate::quadrature::Cubature;
 use std::f64::consts::FRAC_PI_2;
-use std::sync::Arc;
 
 const ZLAMAL: CurvedElement = CurvedElement::Isoparametric { skew: 0.0 };
-
-/// `Ω'` inside the quarter circle `r = 1` and above `x + y = 1/2`, `Ω''` between the circle and the square of side 2.
-pub fn quarter_disc(n: usize, element: CurvedElement) -> Mesh {
-    let arc: SharedCurve = Arc::new(CircularArc { centre: Point::zeros(), radius: 1.0, from: 0.0, to: FRAC_PI_2 });
-    let block = |corners, cells, on: usize| {
-        let mut curves = [const { None }; 4];
-        curves[on] = Some(arc.clone());
-        QuadBlock { corners: points(corners), cells, curves }
-    };
-    let m = [std::f64::consts::FRAC_1_SQRT_2; 2];
-    let disc = [block([[0.5, 0.0], [1.0, 0.0], [0.0, 1.0], [0.0, 0.5]], [n, 2 * n], 1)];
-    let frame = [
-        block([[1.0, 0.0], [2.0, 0.0], [2.0, 2.0], m], [2 * n, n], 3),
-        block([m, [2.0, 2.0], [0.0, 2.0], [0.0, 1.0]], [2 * n, n], 3),
-    ];
-    let bodies = [&disc[..], &frame[..]].map(|b| triangulate(b, Pattern::Structured).unwrap());
-    let parts = [
-        part(Body::First, "rest", [[0.0, 1.0], [0.0, 0.5], [0.5, 0.0], [1.0, 0.0]]),
-        part(Body::Second, "rest", [[1.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 1.0]]),
-    ];
-    let mut mesh = Mesh::build(bodies, &parts, &ContactLine::Common(Path::along(arc))).unwrap();
-    mesh.curved.element = element;
-    mesh
-}
 
 /// Calls `visit(t, x, hats)` at quadrature points of every triangle.
 fn each_point(mesh: &Mesh, visit: &mut impl FnMut(usize, Point, [f64; 3])) {
