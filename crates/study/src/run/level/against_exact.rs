@@ -48,6 +48,7 @@ impl ExactMeasurement<'_> {
             quadrature: share(load_change + energy_change + (e - base.energy_norm()).abs(), e, size),
             geometry: Some(0.0),
             reference: Some(0.0),
+            unresolved: None,
         };
         level.ledger = Some(self.ledger(&base, &fine));
     }
