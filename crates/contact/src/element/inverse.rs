@@ -45,8 +45,10 @@ impl CurvedTriangle<'_> {
         match self.element {
             CurvedElement::Physical => (hats(self.corners, x), gradients(self.corners).0),
             CurvedElement::Isoparametric { skew } => {
-                let (rho, tau) = self.star(x);
-                let point = Isoparametric { triangle: self, skew }.at_place(x, [1.0 - rho, rho * tau]);
+                // the chord triangle's coordinates are off by the size of the bump
+                let chord = hats(self.corners, x);
+                let start = [chord[self.apex], chord[(self.apex + 2) % 3]];
+                let point = Isoparametric { triangle: self, skew }.at_place(x, start);
                 (point.hats, point.gradients)
             }
         }

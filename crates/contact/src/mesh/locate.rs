@@ -12,7 +12,7 @@
 //! ```
 
 use super::{Body, Mesh};
-use crate::element::{gradients, hats};
+use crate::element::{CurvedTriangle, gradients, hats};
 use crate::geometry::{Point, Vec2, cross};
 
 /// Points that a triangle misses by this share of a bucket are taken to be in it.
@@ -25,6 +25,8 @@ const SAMPLES: u32 = 8;
 pub struct Locator<'a> {
     mesh: &'a Mesh,
     grids: [Grid; 2],
+    /// Of every curved side: between which values the apex' hat function of the chord triangle stays along the arc.
+    bands: Vec<[f64; 2]>,
 }
 
 /// A point in a mesh.
@@ -58,7 +60,8 @@ impl<'a> Locator<'a> {
     /// Sorts the triangles of both bodies into buckets: `O(N)` on quasi-uniform meshes.
     pub fn new(mesh: &'a Mesh) -> Self {
         let (first, all) = (mesh.first_triangles, mesh.triangles.len());
-        Self { mesh, grids: [0..first, first..all].map(|own| Grid::new(mesh, own)) }
+        let bands = mesh.curved_triangles().map(|(_, curved)| band(&curved)).collect();
+        Self { mesh, grids: [0..first, first..all].map(|own| Grid::new(mesh, own)), bands }
     }
 
     /// The mesh that is searched.
@@ -79,17 +82,46 @@ impl<'a> Locator<'a> {
         Located { triangle, hats, gradients, outside: excess.max(0.0) }
     }
 
-    /// How far `x` lies outside of triangle `t`: the largest distance beyond one of its sides.
-    pub(super) fn excess(&self, t: usize, x: Point) -> f64 {
-        if let Some(curved) = self.mesh.curved_triangle(t) {
-            return curved.excess(x);
+    /// Calls `visit(t)` once for every triangle of `body` whose bounding box may meet that of the given points, ascending.
+    pub fn each_near(&self, body: Body, points: [Point; 3], visit: &mut impl FnMut(usize)) {
+        let grid = &self.grids[body.index()];
+        let [low, high] = points.into_iter().fold([points[0]; 2], grow);
+        let ([i0, j0], [i1, j1]) = (grid.bucket(low), grid.bucket(high));
+        let mut found: Vec<u32> = Vec::new();
+        for j in j0..=j1 {
+            (i0..=i1).for_each(|i| found.extend(grid.members([i, j])));
         }
+        found.sort_unstable();
+        found.dedup();
+        found.into_iter().for_each(|t| visit(t as usize));
+    }
+
+    /// How far `x` lies outside of triangle `t`: the largest distance beyond one of its sides; beside a curved triangle
+    /// a lower bound of it. Not positive inside.
+    pub(super) fn excess(&self, t: usize, x: Point) -> f64 {
         let corners = self.mesh.corners(t);
-        let beyond = |i: usize| {
-            let (a, b) = (corners[i], corners[(i + 1) % 3]);
+        // beyond side i, which is opposite corner i
+        let beyond = [0, 1, 2].map(|i| {
+            let (a, b) = (corners[(i + 1) % 3], corners[(i + 2) % 3]);
             cross(x - a, b - a) / (b - a).norm()
+        });
+        let largest = |of: [f64; 3]| of.into_iter().fold(f64::NEG_INFINITY, f64::max);
+        let Ok(k) = self.mesh.curved.sides.binary_search_by_key(&(t as u32), |s| s.triangle) else {
+            return largest(beyond);
         };
-        (0..3).map(beyond).fold(f64::NEG_INFINITY, f64::max)
+        let apex = usize::from(self.mesh.curved.sides[k].apex);
+        let ([low, high], hat) = (self.bands[k], hats(corners, x)[apex]);
+        let beside = f64::max(beyond[(apex + 1) % 3], beyond[(apex + 2) % 3]);
+        // only along the arc has the curve itself to be asked
+        if hat > high {
+            return beside;
+        }
+        if beside > ROUNDING {
+            // beyond / −hat is the height of the chord triangle
+            let past = if hat < low { beyond[apex] * (low - hat) / -hat } else { beside };
+            return f64::max(beside, past);
+        }
+        self.mesh.curved_triangle(t).map_or(beside, |curved| curved.excess(x))
     }
 }
 
@@ -133,6 +165,11 @@ impl Grid {
         }
     }
 
+    fn members(&self, [i, j]: [usize; 2]) -> &[u32] {
+        let k = j * self.cells[0] + i;
+        &self.members[self.start[k] as usize..self.start[k + 1] as usize]
+    }
+
     /// The bucket of a point, the nearest one for points beside the grid.
     fn bucket(&self, x: Point) -> [usize; 2] {
         [0, 1].map(|k| (((x[k] - self.low[k]) / self.size).max(0.0) as usize).min(self.cells[k] - 1))
@@ -145,8 +182,7 @@ impl Grid {
         let mut best = (0, f64::INFINITY);
         for ring in 0..self.cells[0].max(self.cells[1]) {
             for [i, j] in self.ring([i, j], ring) {
-                let k = j * self.cells[0] + i;
-                for &t in &self.members[self.start[k] as usize..self.start[k + 1] as usize] {
+                for &t in self.members([i, j]) {
                     let found = excess(t as usize);
                     if found <= 0.0 {
                         return (t as usize, found);
@@ -171,10 +207,21 @@ impl Grid {
     }
 }
 
+fn grow([low, high]: [Point; 2], x: Point) -> [Point; 2] {
+    [low.inf(&x), high.sup(&x)]
+}
+
+/// Between which values the apex' hat function stays along the arc, with room for what it does between two samples.
+fn band(curved: &CurvedTriangle) -> [f64; 2] {
+    let at = |k: u32| hats(curved.corners, curved.arc(f64::from(k) / f64::from(SAMPLES)).0)[curved.apex];
+    let [low, high] = (0..=SAMPLES).map(at).fold([0.0_f64; 2], |[low, high], h| [low.min(h), high.max(h)]);
+    let room = 0.1 * (high - low) + ROUNDING;
+    [low - room, high + room]
+}
+
 /// A box that holds the exact region of a triangle.
 fn bounding_box(mesh: &Mesh, t: usize) -> [Point; 2] {
     let corners = mesh.corners(t);
-    let grow = |[low, high]: [Point; 2], x: Point| [low.inf(&x), high.sup(&x)];
     let straight = corners.into_iter().fold([corners[0]; 2], grow);
     let Some(curved) = mesh.curved_triangle(t) else { return straight };
     let arc = (0..=SAMPLES).map(|k| curved.arc(f64::from(k) / f64::from(SAMPLES)).0);

@@ -1,29 +1,30 @@
 //! Norms of the difference of two fields that live on different meshes of the same bodies.
 //!
 //! ```text
-//!   +-------+      The sum runs over the triangles of the fine mesh. One that lies in a single straight triangle of the
-//!   |\  /\  |      coarse mesh sees a linear difference, which is integrated exactly. One that is cut by coarse sides, or
-//!   | \/  \ |      has to do with a curved triangle of either mesh, is integrated by points, each of which takes the
+//!   +-------+      The sum runs over the triangles of the fine mesh. Straight triangles of both meshes have convex
+//!   |\  /\  |      polygons in common, on which the difference is linear: those are integrated exactly. A fine triangle
+//!   | \/  \ |      that has to do with a curved one of either mesh is integrated by points, each of which takes the
 //!   +-/----\+      coarse function of the element that it lies in.
 //! ```
 //!
 //! The coarse function itself is taken, not its interpolant at the fine nodes: that one smooths what the fine mesh cannot
 //! hold, the kinks along the coarse sides, and so underestimates the difference.
 
-use super::{Several, Squares, of_triangle};
+use super::clip::Polygon;
+use super::{Several, Squares, square_of_linear};
 use crate::element::{displacement_gradient, gradients, hats};
-use crate::geometry::Vec2;
+use crate::geometry::{Point, Vec2};
 use crate::material::Material;
 use crate::mesh::{Locator, Mesh};
 use crate::quadrature::Cubature;
 use crate::sum::ordered_sum;
 use rayon::prelude::*;
 
-/// A corner may stick out of a triangle by this much, as a value of a hat function, and still lie in it.
-const ROUNDING: f64 = 1e-12;
+/// Polygons that leave less than this share of a triangle uncovered cover it.
+const UNCOVERED: f64 = 1e-9;
 
 /// The norms of `v − w` for each of several pairs of a field `v` on the fine mesh and a field `w` on the mesh of `coarse`.
-/// `depth` refines the rule on the triangles that are integrated by points: 7 points, or 64 with a curved side, on each of
+/// `depth` refines the rule on triangles that are integrated by points: 7 of them, or 64 with a curved side, on each of
 /// `4^depth` pieces.
 pub fn of_located<const N: usize>(
     fine: &Mesh,
@@ -47,32 +48,45 @@ struct Overlay<'a, const N: usize> {
 
 impl<const N: usize> Overlay<'_, N> {
     fn triangle(&self, t: usize) -> Several<N> {
-        self.within_one(t).unwrap_or_else(|| self.by_points(t))
+        self.by_polygons(t).unwrap_or_else(|| self.by_points(t))
     }
 
-    /// Exactly, if triangle `t` is straight and lies in one straight triangle.
-    fn within_one(&self, t: usize) -> Option<Several<N>> {
+    /// Exactly, if triangle `t` is straight and straight triangles of the coarse mesh cover it.
+    fn by_polygons(&self, t: usize) -> Option<Several<N>> {
         if self.fine.curved.of(t).is_some() {
             return None;
         }
         let corners = self.fine.corners(t);
         let (body, coarse) = (self.fine.body(t), self.coarse.mesh());
-        let home = self.coarse.locate(body, corners.iter().sum::<Vec2>() / 3.0).triangle;
-        if coarse.curved.of(home).is_some() {
-            return None;
-        }
-        let within = corners.map(|x| hats(coarse.corners(home), x));
-        if within.iter().flatten().any(|h| *h < -ROUNDING) {
-            return None;
-        }
-        let mut sums = Several::default();
+        let (gradients, area) = gradients(corners);
+        let (mut sums, mut covered) = (Several::default(), 0.0);
+        self.coarse.each_near(body, corners, &mut |home| {
+            if coarse.curved.of(home).is_some() || (1.0 - UNCOVERED) * area <= covered {
+                return;
+            }
+            let common = Polygon::common(corners, coarse.corners(home));
+            let share = common.area();
+            if share > 0.0 {
+                covered += share;
+                self.add_polygon(t, &gradients, home, &common, &mut sums);
+            }
+        });
+        ((1.0 - UNCOVERED) * area <= covered).then_some(sums)
+    }
+
+    /// The difference on what triangle `t` has in common with the coarse triangle `home`.
+    fn add_polygon(&self, t: usize, own: &[Vec2; 3], home: usize, common: &Polygon, sums: &mut Several<N>) {
+        let (body, coarse) = (self.fine.body(t), self.coarse.mesh());
+        let (corners, coarse_corners) = (self.fine.corners(t), coarse.corners(home));
+        let (theirs, _) = gradients(coarse_corners);
         for (sum, (v, w)) in sums.0.iter_mut().zip(self.pairs) {
-            let values = coarse.triangles[home].map(|i| w[i as usize]);
-            let coarse_value = |k: usize| -> Vec2 { (0..3).map(|c| within[k][c] * values[c]).sum() };
-            let difference = [0, 1, 2].map(|k| v[self.fine.triangles[t][k] as usize] - coarse_value(k));
-            *sum = of_triangle(corners, body, &self.materials[body.index()], &difference);
+            let values = self.fine.triangles[t].map(|i| v[i as usize]);
+            let coarse_values = coarse.triangles[home].map(|i| w[i as usize]);
+            let gradient = minus(displacement_gradient(own, values), displacement_gradient(&theirs, coarse_values));
+            sum.add(body, &self.materials[body.index()], common.area(), Vec2::zeros(), gradient);
+            let difference = |x: Vec2| linear(corners, &values, x) - linear(coarse_corners, &coarse_values, x);
+            sum.l2 += common.triangles().map(|part| square_of_linear(part, &part.map(difference))).sum::<f64>();
         }
-        Some(sums)
     }
 
     fn by_points(&self, t: usize) -> Several<N> {
@@ -84,8 +98,7 @@ impl<const N: usize> Overlay<'_, N> {
             for (sum, (v, w)) in sums.0.iter_mut().zip(self.pairs) {
                 let values = nodes.map(|i| v[i as usize]);
                 let value = (0..3).map(|k| phi[k] * values[k]).sum::<Vec2>() - found.value(coarse, w);
-                let (fine, own) = (displacement_gradient(gradients, values), found.gradient(coarse, w));
-                let gradient = std::array::from_fn(|i| std::array::from_fn(|j| fine[i][j] - own[i][j]));
+                let gradient = minus(displacement_gradient(gradients, values), found.gradient(coarse, w));
                 sum.add(body, &self.materials[body.index()], weight, value, gradient);
             }
         };
@@ -99,6 +112,15 @@ impl<const N: usize> Overlay<'_, N> {
         }
         sums
     }
+}
+
+fn minus(a: [[f64; 2]; 2], b: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
+    std::array::from_fn(|i| std::array::from_fn(|j| a[i][j] - b[i][j]))
+}
+
+/// The linear function with these values at the corners, at `x`.
+fn linear(corners: [Point; 3], values: &[Vec2; 3], x: Point) -> Vec2 {
+    hats(corners, x).iter().zip(values).map(|(h, v)| *h * v).sum()
 }
 
 /// The value of a field at points of another mesh: nodal values of its interpolant there.

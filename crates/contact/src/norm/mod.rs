@@ -2,13 +2,14 @@
 //! of every estimate), `A(v,v)`, the `H¹` seminorm and `L²`.
 
 mod across;
+mod clip;
 #[cfg(test)]
 mod tests;
 
 pub use across::{interpolate, of_located};
 
 use crate::element::{displacement_gradient, gradients, hats};
-use crate::geometry::{Point, Vec2};
+use crate::geometry::{Point, Vec2, twice_area};
 use crate::material::{Material, contract, strain};
 use crate::mesh::{Body, Mesh};
 use crate::quadrature::Cubature;
@@ -74,24 +75,23 @@ pub fn of_linear(mesh: &Mesh, materials: &[Material; 2], v: &[Vec2]) -> Squares 
     ordered_sum(mesh.triangles.len(), |t| {
         let body = mesh.body(t);
         let values = mesh.triangles[t].map(|i| v[i as usize]);
+        let mut squares = Squares::default();
         if let Some(curved) = mesh.curved_triangle(t) {
-            let (mut squares, material) = (Squares::default(), &materials[body.index()]);
+            let material = &materials[body.index()];
             curved.points(&mut |p, w| squares.add(body, material, w, p.value(&values), p.gradient(&values)));
             return squares;
         }
-        of_triangle(mesh.corners(t), body, &materials[body.index()], &values)
+        let (g, area) = gradients(mesh.corners(t));
+        squares.add(body, &materials[body.index()], area, Vec2::zeros(), displacement_gradient(&g, values));
+        squares.l2 = square_of_linear(mesh.corners(t), &values);
+        squares
     })
 }
 
-/// The norms of the linear field with these values at the corners of a straight triangle.
-fn of_triangle(corners: [Point; 3], body: Body, material: &Material, values: &[Vec2; 3]) -> Squares {
-    let mut squares = Squares::default();
-    let (g, area) = gradients(corners);
-    squares.add(body, material, area, Vec2::zeros(), displacement_gradient(&g, *values));
-    // ∫ |v|² = |T|/12 (|v_0+v_1+v_2|² + Σ|v_k|²)
+/// `∫ |v|² = |T|/12 (|v_0+v_1+v_2|² + Σ|v_k|²)` of the linear field with these values at the corners of a triangle.
+fn square_of_linear([a, b, c]: [Point; 3], values: &[Vec2; 3]) -> f64 {
     let total: Vec2 = values.iter().sum();
-    squares.l2 = area / 12.0 * (total.norm_squared() + values.iter().map(|v| v.norm_squared()).sum::<f64>());
-    squares
+    0.5 * twice_area(a, b, c) / 12.0 * (total.norm_squared() + values.iter().map(|v| v.norm_squared()).sum::<f64>())
 }
 
 /// A displacement and its gradient `g[i][j] = ∂_j u_i` at a point of a body.
