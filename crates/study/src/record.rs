@@ -278,6 +278,11 @@ impl Ledger {
         }
     }
 
+    /// The right side, `a + b + c`.
+    pub fn sum(&self) -> f64 {
+        self.a + self.b + self.c
+    }
+
     /// Whether a term is the square of an energy norm; the others are norms on the zone.
     pub fn is_square(name: &str) -> bool {
         Self::TERMS.contains(&name) || ["b_gap", "b_switch"].contains(&name)
