@@ -50,12 +50,14 @@ vanishes; its bound is what is claimed.";
 const ARC_LEGEND: &str = "What b and c are bounded by, norms in L²(Γ_K). [u_I−u]ₙ: interpolation of the jump, in b. Uₕ: \
 the jump [uₕ]ₙ on the arc; Ũₕ: the same with uₕ taken at the foot of the perpendicular to the chord; Φ: linear on each \
 chord through the nodal values of Uₕ. Their differences bound c.";
-const GAP_LEGEND: &str = "b on sides in full contact, ∫T_ξ(ε_I−ε) dη, and on sides that hold a switch point; \
+const GAP_LEGEND: &str = "b on sides in full contact, ∫T_ξ(ε_I−ε) dη, and on sides that hold a switch point, which falls unevenly, \
+as it depends on where the point sits; \
 ‖ε_I−ε‖₀, the interpolation error of the gap over the zone, bounds c.";
 const TERMS_LEGEND: &str = "Rates of absolute values, since the last change of sign. Proven: the term is O(h^exponent); \
 ½A(e,e), a, b and c are squares, so half an exponent is a rate of the error. Where no rate stands the term vanishes, keeps \
 changing its sign, or scatters.";
-const DRIFTING_TERMS: &str = "\n† Not asymptotic, or scattered: the pairwise rates still drift.\n";
+const DRIFTING_TERMS: &str =
+    "\n† Not asymptotic, the pairwise rates still drift; or scattered, and then no rate is shown.\n";
 const CONTACT_LEGEND: &str = "Active: constraints whose multiplier exceeds 1e-8 of the largest. Contact set: length of \
 the symmetric difference with the reference's. Switch point: largest distance of one of the reference's switch points from the nearest discrete one.";
 const SOLUTION_LEGEND: &str = "Two-way: relative difference of A(e,e) by quadrature and by energies. KKT: scaled \
@@ -250,7 +252,7 @@ fn ledger_section(record: &StudyRecord, pictures: Pictures) -> String {
     let mut body = image(pictures.ledger, "ledger.png", "Terms of the ledger against mesh size");
     let parts = ledger::parts(record);
     let has = |key: &str| parts.iter().flat_map(|t| &t.columns).any(|c| c.key == key);
-    let uneven = if has("ledger_trace_interpolation") { "" } else { UNEVEN };
+    let uneven = if parts.is_some() { "" } else { UNEVEN };
     body += &format!("{}\n{LEDGER_LEGEND}{uneven}\n", terms.to_markdown());
     if let Some(parts) = &parts {
         let gap = has("ledger_gap_interpolation");

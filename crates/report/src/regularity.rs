@@ -10,13 +10,14 @@ const DIGITS: usize = 4;
 /// Whether the hypothesis is met, with the largest ratios of all levels; `None` where the claim does not ask for it.
 pub fn sentence(record: &StudyRecord) -> Option<String> {
     let found = StrongRegularity::of(record)?;
+    let reach = if found.is_met() { "at most" } else { "up to" };
     let beta = format!(
-        "β at most {} ({} allowed)",
+        "β {reach} {} ({} allowed)",
         format::significant(found.side_ratio, DIGITS),
         format::bound(LARGEST_SIDE_RATIO),
     );
     let chord = found.straight_over_chord.map_or_else(String::new, |ratio| {
-        format!(", straight sides at most {} of the longest chord (1 allowed)", format::significant(ratio, DIGITS))
+        format!(", straight sides {reach} {} of the longest chord (1 allowed)", format::significant(ratio, DIGITS))
     });
     Some(if found.is_met() {
         format!("strongly regular on every level, as the claim asks: {beta}{chord}.")

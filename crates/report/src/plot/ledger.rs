@@ -139,7 +139,9 @@ fn shares(record: &StudyRecord) -> String {
     else {
         return String::new();
     };
-    format!("; left over right side {} to {}", format::significant(low, 4), format::significant(high, 4))
+    let [low, high] = [low, high].map(|ratio| format::significant(ratio, 4));
+    let range = if low == high { low } else { format!("{low} to {high}") };
+    format!("; left over right side {range}")
 }
 
 /// The bound of the claim, and what is proven of single terms where that is another slope.

@@ -21,8 +21,7 @@ const STYLES: [(Colour, Shape); 7] = [
     (Colour::Green, Shape::Triangle),
 ];
 
-/// Each part of the ledger against `h`, with the observed rate at its name and, dashed, its own proven slope through the
-/// value on the coarsest usable level.
+/// Each part of the ledger against `h`, with the observed rate at its name and, dashed, its own proven slope above it.
 ///
 /// `None` if no part has a finite value above rounding.
 pub fn parts(record: &StudyRecord) -> Option<Chart> {
@@ -84,12 +83,14 @@ fn mark(level: &Level, part: &str, value: f64) -> Option<Mark> {
     drawable.then(|| Mark { h: level.h, value: value.abs(), kind: kind(level, value) })
 }
 
+/// `c h^p` with the proven `p` and the least `c` that holds on every level that counts.
 fn guide(record: &StudyRecord, part: &str, curve: &Curve) -> Option<Guide> {
     let exponent = proven_term(record, part)?.exponent;
     let used = || curve.marks.iter().filter(|m| m.kind != MarkKind::Greyed);
-    let from = used().max_by(|a, b| a.h.total_cmp(&b.h))?;
-    let to = used().map(|m| m.h).reduce(f64::min).filter(|h| *h < from.h)?;
-    Some(Guide { colour: curve.colour, exponent, from: (from.h, from.value), to })
+    let from = used().map(|m| m.h).reduce(f64::max)?;
+    let to = used().map(|m| m.h).reduce(f64::min).filter(|h| *h < from)?;
+    let value = used().map(|m| m.value * (from / m.h).powf(exponent)).reduce(f64::max)?;
+    Some(Guide { colour: curve.colour, exponent, from: (from, value), to })
 }
 
 /// One triangle for each exponent.
@@ -103,7 +104,7 @@ fn slopes(guides: &[Guide]) -> Vec<Slope> {
 
 fn remarks(record: &StudyRecord, curves: &[(&str, Curve)]) -> Vec<String> {
     let mut remarks = excluded(record);
-    remarks.push("Dashed: the proven slope through the value on the coarsest level.".into());
+    remarks.push("Dashed: C h^{p} with the proven p and the least C that holds on every level that counts.".into());
     if curves.iter().any(|(_, c)| c.marks.iter().any(|m| m.kind == MarkKind::Negative)) {
         remarks.push("Hollow marks: the absolute value of a negative part.".into());
     }

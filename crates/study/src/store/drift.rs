@@ -6,6 +6,7 @@
 
 use super::Baseline;
 use super::baseline::{BaselineCase, BaselineLevel, norm_rates, reference_dofs};
+use crate::claim::quantity::in_words;
 use crate::record::{Level, StudyRecord};
 
 /// Relative change of an energy.
@@ -80,12 +81,12 @@ fn same_error(now: Option<f64>, was: Option<f64>, floor: f64) -> bool {
 
 fn of_rates(case: &BaselineCase, record: &StudyRecord) -> Vec<String> {
     let lost = case.rates.keys().filter(|name| !record.rates.contains_key(*name));
-    let mut found: Vec<String> = lost.map(|name| format!("{name}: the rate is gone")).collect();
+    let mut found: Vec<String> = lost.map(|name| format!("{}: the rate is gone", in_words(name))).collect();
     for (name, rate) in norm_rates(record) {
         match case.rates.get(name) {
-            None => found.push(format!("{name}: rate {:.4}, was none", rate.slope)),
+            None => found.push(format!("{}: rate {:.4}, was none", in_words(name), rate.slope)),
             Some(was) if (rate.slope - was).abs() > RATE => {
-                found.push(format!("{name}: rate {:.4}, was {was:.4}", rate.slope));
+                found.push(format!("{}: rate {:.4}, was {was:.4}", in_words(name), rate.slope));
             }
             Some(_) => {}
         }
