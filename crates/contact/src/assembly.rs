@@ -6,9 +6,10 @@
 use crate::basis::{Basis, Slot};
 use crate::data::{Data, Support};
 use crate::element::{gradients, hats, linear_strain, stiffness_block};
-use crate::geometry::{Vec2, right_normal};
+use crate::geometry::Vec2;
 use crate::material::Material;
 use crate::mesh::Mesh;
+use crate::mesh::side::SideView;
 use crate::quadrature::Cubature;
 use crate::sparse::BlockMatrix;
 use crate::{Error, Point};
@@ -88,11 +89,9 @@ fn gather_row(
         let left = block_of_slot(basis, node, slot);
         for &(t, corner) in around.of(node) {
             let t = t as usize;
-            let (g, area) = gradients(mesh.corners(t));
-            let material = &materials[mesh.body(t).index()];
-            for (k, &j) in mesh.triangles[t].iter().enumerate() {
-                let block = stiffness_block(material, area, g[corner as usize], g[k]);
-                let left_block = transposed_product(&left, &block);
+            let blocks = element_row(mesh, &materials[mesh.body(t).index()], t, corner as usize);
+            for (block, &j) in blocks.iter().zip(&mesh.triangles[t]) {
+                let left_block = transposed_product(&left, block);
                 let (slots, n) = basis.slots(j as usize);
                 for (column, right) in &slots[..n] {
                     add_block(&mut row, *column, &product(&left_block, right));
@@ -103,6 +102,15 @@ fn gather_row(
     row.sort_unstable_by_key(|(column, _)| *column);
     row.iter_mut().for_each(|(column, block)| fix_components(basis, slot, *column as usize, block));
     row
+}
+
+/// The blocks `k_ij` of triangle `t` for `i = corner` and its three corners `j`.
+fn element_row(mesh: &Mesh, material: &Material, t: usize, corner: usize) -> [[f64; 4]; 3] {
+    if let Some(curved) = mesh.curved_triangle(t) {
+        return curved.stiffness_row(material, corner);
+    }
+    let (g, area) = gradients(mesh.corners(t));
+    [0, 1, 2].map(|k| stiffness_block(material, area, g[corner], g[k]))
 }
 
 fn block_of_slot(basis: &Basis, node: usize, slot: usize) -> [f64; 4] {
@@ -150,11 +158,12 @@ pub fn loads(mesh: &Mesh, supports: &[Support], data: &dyn Data, cubature: &Cuba
         mesh.triangles[t].iter().zip(load).for_each(|(&i, l)| nodal[i as usize] += l);
     }
     for side in mesh.sides.iter().filter(|s| supports[s.part as usize] == Support::Traction) {
-        let corners = side.nodes.map(|i| mesh.points[i as usize]);
-        let load = side_load(corners, data, side.part as usize, cubature);
+        let view = mesh.boundary_view(side);
+        let load = side_load(&view, data, side.part as usize, cubature);
         let name = &mesh.parts[side.part as usize].name;
+        let corners = side.nodes.map(|i| mesh.points[i as usize]);
         check_load(&load, || format!("traction on part '{name}' near {}", place(&corners)))?;
-        side.nodes.iter().zip(&load).for_each(|(&i, l)| nodal[i as usize] += l);
+        view.nodes.iter().zip(&load).for_each(|(&i, l)| nodal[i as usize] += l);
     }
     Ok(nodal)
 }
@@ -165,24 +174,27 @@ fn element_load(mesh: &Mesh, data: &dyn Data, cubature: &Cubature, t: usize) -> 
     if !data.has_body_force(body) {
         return None;
     }
-    let corners = mesh.corners(t);
     let mut load = [Vec2::zeros(); 3];
-    cubature.triangle(corners, &mut |x, w| {
+    let mut add = |x: Point, hats: &[f64; 3], w: f64| {
         let force = w * data.body_force(body, x);
-        load.iter_mut().zip(hats(corners, x)).for_each(|(l, hat)| *l += hat * force);
-    });
+        load.iter_mut().zip(hats).for_each(|(l, hat)| *l += *hat * force);
+    };
+    match mesh.curved_triangle(t) {
+        Some(curved) => cubature.curved(&curved, &mut |p, w| add(p.x, &p.hats, w)),
+        None => {
+            let corners = mesh.corners(t);
+            cubature.triangle(corners, &mut |x, w| add(x, &hats(corners, x), w));
+        }
+    }
     Some(load)
 }
 
-/// `∫ P φ_k ds` over a side for its two ends.
-fn side_load([a, b]: [Point; 2], data: &dyn Data, part: usize, cubature: &Cubature) -> [Vec2; 2] {
-    let normal = right_normal(a, b);
-    let along = crate::geometry::Segment { a, b };
-    let mut load = [Vec2::zeros(); 2];
-    cubature.side(a, b, &mut |x, w| {
-        let (s, traction) = (along.parameter(x), w * data.traction(part, x, normal));
-        load[0] += (1.0 - s) * traction;
-        load[1] += s * traction;
+/// `∫ P φ_k ds` over a side for the three nodes of its triangle.
+fn side_load(side: &SideView, data: &dyn Data, part: usize, cubature: &Cubature) -> [Vec2; 3] {
+    let mut load = [Vec2::zeros(); 3];
+    side.points(cubature, &mut |x, normal, hats, ds| {
+        let traction = ds * data.traction(part, x, normal);
+        (0..3).for_each(|k| load[k] += hats[k] * traction);
     });
     load
 }
@@ -212,6 +224,10 @@ pub fn internal_forces(mesh: &Mesh, materials: &[Material; 2], v: &[Vec2]) -> Ve
         if values.iter().all(|v| *v == Vec2::zeros()) {
             continue;
         }
+        if mesh.curved.of(t).is_some() {
+            add_curved_forces(mesh, materials, t, values, &mut nodal);
+            continue;
+        }
         let (g, area) = gradients(mesh.corners(t));
         let stress = materials[mesh.body(t).index()].stress(linear_strain(&g, values));
         for (k, &i) in mesh.triangles[t].iter().enumerate() {
@@ -221,4 +237,13 @@ pub fn internal_forces(mesh: &Mesh, materials: &[Material; 2], v: &[Vec2]) -> Ve
         }
     }
     nodal
+}
+
+/// The same for a triangle with a curved side, `Σ_j k_ij v_j`.
+fn add_curved_forces(mesh: &Mesh, materials: &[Material; 2], t: usize, values: [Vec2; 3], nodal: &mut [Vec2]) {
+    for (corner, &i) in mesh.triangles[t].iter().enumerate() {
+        let row = element_row(mesh, &materials[mesh.body(t).index()], t, corner);
+        let times = |(b, v): (&[f64; 4], &Vec2)| Vec2::new(b[0] * v.x + b[1] * v.y, b[2] * v.x + b[3] * v.y);
+        nodal[i as usize] += row.iter().zip(&values).map(times).sum::<Vec2>();
+    }
 }

@@ -16,7 +16,7 @@
 //! ```
 //! use signorini_contact::mesh::{Mesh, PartOutline, blocks::{Pattern, QuadBlock, triangulate}};
 //! use signorini_contact::problem::{Data, Problem, Support};
-//! use signorini_contact::{Body, Error, Material, Point, Vec2, material::Plane, quadrature::Cubature, solver::Settings};
+//! use signorini_contact::{Body, ContactLine, Error, Material, Path, Point, Vec2, material::Plane, quadrature::Cubature, solver::Settings};
 //!
 //! struct Press; // a traction of 0.1 downwards on every loaded part
 //! impl Data for Press {
@@ -25,19 +25,19 @@
 //!
 //! # fn main() -> Result<(), Error> {
 //! let square = |y: f64| [[0.0, y], [1.0, y], [1.0, y + 1.0], [0.0, y + 1.0]].map(|[x, y]| Point::new(x, y));
-//! let block = |y| triangulate(&[QuadBlock { corners: square(y), cells: [8, 8] }], Pattern::Structured);
-//! let part = |body, name: &str, y: f64, corners: &[usize]| PartOutline {
-//!     body, name: name.into(), along: corners.iter().map(|&k| square(y)[k]).collect(),
+//! let block = |y| triangulate(&[QuadBlock::straight(square(y), [8, 8])], Pattern::Structured);
+//! let part = |body, name: &str, y: f64, corners: [usize; 2]| PartOutline {
+//!     body, name: name.into(), along: Path::polyline(corners.map(|k| square(y)[k])),
 //! };
 //! let (parts, supports): (Vec<_>, Vec<_>) = [
-//!     (part(Body::First, "right", 0.0, &[1, 2]), Support::Free),
-//!     (part(Body::First, "top", 0.0, &[2, 3]), Support::Traction),
-//!     (part(Body::First, "left", 0.0, &[3, 0]), Support::Sliding),
-//!     (part(Body::Second, "left", -1.0, &[3, 0]), Support::Free),
-//!     (part(Body::Second, "bottom", -1.0, &[0, 1]), Support::Fixed),
-//!     (part(Body::Second, "right", -1.0, &[1, 2]), Support::Free),
+//!     (part(Body::First, "right", 0.0, [1, 2]), Support::Free),
+//!     (part(Body::First, "top", 0.0, [2, 3]), Support::Traction),
+//!     (part(Body::First, "left", 0.0, [3, 0]), Support::Sliding),
+//!     (part(Body::Second, "left", -1.0, [3, 0]), Support::Free),
+//!     (part(Body::Second, "bottom", -1.0, [0, 1]), Support::Fixed),
+//!     (part(Body::Second, "right", -1.0, [1, 2]), Support::Free),
 //! ].into_iter().unzip();
-//! let mesh = Mesh::build([block(0.0)?, block(-1.0)?], &parts, &[square(0.0)[0], square(0.0)[1]])?;
+//! let mesh = Mesh::build([block(0.0)?, block(-1.0)?], &parts, &ContactLine::polyline(&square(0.0)[..2]))?;
 //! let material = Material::isotropic(1.0, 0.3, Plane::Strain)?;
 //! let problem = Problem { mesh: &mesh, materials: [material; 2], supports: &supports, data: &Press, cubature: &Cubature::default() };
 //! let (_, solution) = problem.solve(&Settings::default())?;

@@ -2,7 +2,7 @@
 
 use crate::basis::{Basis, BoundOrigin, NodeSupport};
 pub use crate::data::{Data, Support, Unloaded};
-use crate::geometry::{Vec2, cross, right_normal, tangent_of};
+use crate::geometry::{Vec2, cross, tangent_of};
 use crate::material::Material;
 use crate::mesh::Mesh;
 use crate::qp::BoundQp;
@@ -70,6 +70,7 @@ impl Problem<'_> {
     /// be pairs of this mesh, each with one or two constraints, and its sides the mesh's contact sides.
     pub fn discretise_zone(&self, load: Vec<Vec2>, zone: Zone) -> Result<Discrete, Error> {
         self.refuse_non_finite(&load)?;
+        self.mesh.check_curved()?;
         let nodes = self.node_supports()?;
         let mut basis = Basis::new(&nodes);
         let mut tied = Vec::with_capacity(zone.pairs.len());
@@ -142,9 +143,9 @@ impl Problem<'_> {
     /// Visits both ends of every side whose part has this support: node, outward normal, part.
     fn each_side_end(&self, support: Support, mut visit: impl FnMut(usize, Vec2, usize)) {
         for side in self.mesh.sides.iter().filter(|s| self.supports[s.part as usize] == support) {
-            let [a, b] = side.nodes.map(|i| self.mesh.points[i as usize]);
-            for node in side.nodes {
-                visit(node as usize, right_normal(a, b), side.part as usize);
+            let piece = self.mesh.boundary_view(side).piece;
+            for (node, t) in side.nodes.into_iter().zip([0.0, 1.0]) {
+                visit(node as usize, piece.normal(t), side.part as usize);
             }
         }
     }

@@ -4,7 +4,7 @@ use signorini_contact::mesh::{Mesh, PartOutline, blocks};
 use signorini_contact::problem::{Data, Discrete, Problem, Solution, Support};
 use signorini_contact::quadrature::Cubature;
 use signorini_contact::solver::{Method, Settings};
-use signorini_contact::{Body, Error, Material, Point, Vec2, assembly, norm, qp};
+use signorini_contact::{Body, ContactLine, Error, Material, Path, Point, Vec2, assembly, norm, qp};
 
 /// A traction on the top of the upper square, whose other sides and the lower square's are as the test says.
 struct Top<F: Fn(Point) -> Vec2 + Sync>(F);
@@ -28,13 +28,11 @@ fn squares(n: usize) -> Mesh {
 
 /// The two squares with their corners moved by a map of the plane.
 fn squares_with(n: usize, corners: impl Fn(f64) -> [Point; 4]) -> Mesh {
-    let body = |y| {
-        blocks::triangulate(&[blocks::QuadBlock { corners: corners(y), cells: [n, n] }], blocks::Pattern::Structured)
-    };
+    let body = |y| blocks::triangulate(&[blocks::QuadBlock::straight(corners(y), [n, n])], blocks::Pattern::Structured);
     let part = |body, name: &str, ends: [usize; 2], y| PartOutline {
         body,
         name: name.into(),
-        along: ends.iter().map(|&k| corners(y)[k]).collect(),
+        along: Path::polyline(ends.map(|k| corners(y)[k])),
     };
     let parts = [
         part(Body::First, "top", [2, 3], 0.0),
@@ -44,7 +42,7 @@ fn squares_with(n: usize, corners: impl Fn(f64) -> [Point; 4]) -> Mesh {
         part(Body::Second, "left", [3, 0], -1.0),
         part(Body::Second, "right", [1, 2], -1.0),
     ];
-    Mesh::build([body(0.0).unwrap(), body(-1.0).unwrap()], &parts, &corners(0.0)[..2]).unwrap()
+    Mesh::build([body(0.0).unwrap(), body(-1.0).unwrap()], &parts, &ContactLine::polyline(&corners(0.0)[..2])).unwrap()
 }
 
 fn solve(

@@ -212,12 +212,29 @@ pub struct Ledger {
     pub a: f64,
     /// `∫ T_n [u_I]_n ds`.
     pub b: f64,
-    /// Third term of the curved theorems; 0 on polygons.
+    /// Third term of the curved theorems, from `K_h ⊄ K`: `∫ T_n (Φ − U_h) ds` on an arc, `−∫ T_ξ (U_h − ε)_+ dη` across a
+    /// gap; 0 on polygons.
     pub c: f64,
+    /// What the proof bounds `b` and `c` by, name by name (see [`Ledger::PARTS`]); empty on polygons.
+    #[serde(default)]
+    pub parts: BTreeMap<String, f64>,
     /// Quadrature estimate of all terms together.
     pub delta: f64,
     /// `true`: holds; `false`: broken beyond `10 δ`; `None`: within `10 δ`.
     pub holds: Option<bool>,
+}
+
+impl Ledger {
+    /// Names of the parts and what they are. Norms are those of `L²(Γ_K)`, in the measure of the zone.
+    pub const PARTS: [(&'static str, &'static str); 7] = [
+        ("trace_interpolation", "‖[u_I − u]_n‖"),
+        ("jump_minus_chord", "‖U_h − Ũ_h‖"),
+        ("nodal_minus_chord", "‖Φ − Ũ_h‖"),
+        ("nodal_minus_jump", "‖Φ − U_h‖"),
+        ("b_gap", "b on full sides"),
+        ("b_switch", "b on switch sides"),
+        ("gap_interpolation", "‖ε_I − ε‖"),
+    ];
 }
 
 /// Scaled residuals of the optimality conditions (no units), recomputed from the raw data.

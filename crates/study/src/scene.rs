@@ -1,12 +1,24 @@
 //! A scene as the discrete problem wants it: supports, loads and boundary data, and where quadrature has to take care.
 
 use crate::exact::derived;
+use crate::family::Domain;
 use crate::study::{ExactScene, PartCondition, Scene, VectorField};
+use signorini_contact::geometry::LinePoint;
 use signorini_contact::problem::{Data, Support};
 use signorini_contact::quadrature::Cubature;
 use signorini_contact::{Body, Point, Vec2};
 
 impl Scene {
+    /// What is meshed.
+    pub fn domain(&self) -> Domain<'_> {
+        Domain {
+            shapes: &self.bodies,
+            outlines: self.part_outlines(),
+            contact: &self.contact,
+            discretisation: self.discretisation,
+        }
+    }
+
     /// The support of each part, in the order of the mesh's parts.
     pub fn supports(&self) -> Vec<Support> {
         let support = |condition: &PartCondition| match condition {
@@ -71,14 +83,14 @@ impl ExactScene {
         derived::traction(self.solution.as_ref(), &self.materials[body.index()], body, x, normal)
     }
 
-    /// `T_n = n·τ(u')n` for the outward normal `n` of `Ω'`; not positive where the bodies press.
-    pub fn contact_stress(&self, x: Point, normal: Vec2) -> f64 {
-        derived::contact_stress(self.solution.as_ref(), &self.materials[0], x, normal)
+    /// `T_n`, or across a gap `T_ξ` per unit of `η`, at a point of the contact zone; not positive where the bodies press.
+    pub fn contact_stress(&self, point: &LinePoint) -> f64 {
+        derived::contact_stress_at(self.solution.as_ref(), &self.materials[0], point)
     }
 
-    /// `[u]_n = n·(u' − u'')`; negative where the bodies are apart.
-    pub fn jump(&self, x: Point, normal: Vec2) -> f64 {
-        derived::jump(self.solution.as_ref(), x, normal)
+    /// `n·(u' − u'') − ε`; negative where the bodies are apart.
+    pub fn opening(&self, point: &LinePoint) -> f64 {
+        derived::jump_at(self.solution.as_ref(), point) - point.gap
     }
 }
 
@@ -102,12 +114,12 @@ mod tests {
 
     #[test]
     fn data_that_a_study_leaves_out_come_from_the_exact_solution() {
-        let scene = sample::case("theorem-3-1-smooth", "structured").scene;
+        let scene = sample::case("theorem-3-1-smooth", "structured").scene().unwrap().clone();
         let exact = scene.exact.as_ref().unwrap();
         let supports = scene.supports();
         assert!(supports.contains(&Support::Fixed) && supports.contains(&Support::Traction));
         for (k, part) in scene.parts.iter().enumerate() {
-            let (a, b) = (part.along[0], part.along[1]);
+            let (a, b) = (part.along.corners[0], part.along.corners[1]);
             let (x, n) = (0.7 * a + 0.3 * b, right_normal(a, b));
             let u = exact.solution.value(part.body, x);
             match supports[k] {
@@ -124,7 +136,7 @@ mod tests {
 
     #[test]
     fn data_that_a_study_states_are_taken_as_they_are() {
-        let scene = sample::case("two-squares", "two-squares").scene;
+        let scene = sample::case("two-squares", "two-squares").scene().unwrap().clone();
         let top = scene.parts.iter().position(|p| p.name == "top").unwrap();
         let load = scene.traction(top, Point::new(0.0, 1.0), Vec2::y());
         assert!((load - Vec2::new(0.0, -0.1)).norm() < 1e-15);
@@ -134,7 +146,7 @@ mod tests {
 
     #[test]
     fn fixed_quadrature_knows_no_singular_point() {
-        let scene = sample::case("theorem-3-1-natural", "structured").scene;
+        let scene = sample::case("theorem-3-1-natural", "structured").scene().unwrap().clone();
         let (graded, fixed) = (scene.cubature(1, false), scene.cubature(1, true));
         assert!(!graded.singular.is_empty() && fixed.singular.is_empty() && fixed.breaks.is_empty());
         assert_eq!((graded.depth, fixed.depth), (1, 1));

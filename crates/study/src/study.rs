@@ -4,7 +4,9 @@ use crate::claim::Claim;
 use crate::exact::Exact;
 use crate::family::Family;
 use crate::record::{Bounds, Outcome};
-use signorini_contact::{Body, Material, Point, Vec2, mesh, solver};
+use signorini_contact::element::CurvedElement;
+use signorini_contact::geometry::SharedCurve;
+use signorini_contact::{Body, ContactLine, Material, Path, Point, Vec2, mesh, solver};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -35,8 +37,8 @@ pub struct Study {
 pub struct Case {
     /// Name, unique in the study.
     pub name: String,
-    /// Bodies, materials, loads, contact.
-    pub scene: Scene,
+    /// What is measured.
+    pub subject: Subject,
     /// Family of triangulations.
     pub family: Family,
     /// Cells per unit of the coarse block division on each level, coarsest first: quick profile.
@@ -66,6 +68,21 @@ pub struct Case {
     /// Everything of the case that can change a number or the verdict, one fact per line: what
     /// [`Case::fingerprint`] hashes.
     pub canonical: String,
+}
+
+/// What a case measures.
+#[derive(Clone)]
+pub enum Subject {
+    /// A contact problem, solved on every level.
+    Contact(Box<Scene>),
+}
+
+impl Case {
+    /// The scene of a contact problem.
+    pub fn scene(&self) -> Option<&Scene> {
+        let Subject::Contact(scene) = &self.subject;
+        Some(scene)
+    }
 }
 
 /// Reference solution of a case.
@@ -126,12 +143,37 @@ pub struct Scene {
     pub materials: [Material; 2],
     /// Boundary parts outside the contact zone.
     pub parts: Vec<Part>,
-    /// The contact polyline `A_1 … A_{m+1}`.
-    pub contact: Vec<Point>,
+    /// The contact zone.
+    pub contact: ContactLine,
+    /// How curved sides and the contact zone are discretised.
+    pub discretisation: Discretisation,
     /// Body forces given by expressions; `None`: zero, or from the exact solution if there is one.
     pub body_force: [Option<VectorField>; 2],
     /// The exact solution, with the materials that it solves for.
     pub exact: Option<ExactScene>,
+}
+
+/// How curved sides and the contact zone are discretised: as in the paper, unless a control plants a defect.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Discretisation {
+    /// The element on triangles with a curved side.
+    pub element: CurvedElement,
+    /// Straight sides in place of the curved ones.
+    pub chords: bool,
+    /// The normals of the constraints.
+    pub normals: Normals,
+}
+
+/// Which normal a constraint at a node of a curved zone takes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Normals {
+    /// That of the curve at the node (2.5).
+    #[default]
+    True,
+    /// The mean of the normals of the two adjacent chords.
+    Averaged,
+    /// That of the chord before the node.
+    Chord,
 }
 
 /// A body: quadrilateral blocks, corners counterclockwise, sharing whole sides.
@@ -144,12 +186,14 @@ pub struct Shape {
 }
 
 /// A quadrilateral, divided into `divisions[0]·n × divisions[1]·n` cells at mesh parameter `n`.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Block {
     /// Corners, counterclockwise; cells run along `corner 0 → 1` first and along `0 → 3` second.
     pub corners: [Point; 4],
     /// Cells per unit of `n` in the two directions.
     pub divisions: [usize; 2],
+    /// The curve of side `k`, from corner `k` to corner `k + 1`; none where it is straight.
+    pub curves: [Option<SharedCurve>; 4],
 }
 
 /// A named boundary part and its condition.
@@ -159,8 +203,8 @@ pub struct Part {
     pub body: Body,
     /// Name, unique within the body.
     pub name: String,
-    /// The polyline that it covers.
-    pub along: Vec<Point>,
+    /// The path that it covers.
+    pub along: Path,
     /// The condition on it.
     pub condition: PartCondition,
 }
@@ -191,7 +235,7 @@ pub struct ExactScene {
 }
 
 impl Scene {
-    /// The parts as the mesh wants them: body, name, polyline.
+    /// The parts as the mesh wants them: body, name, path.
     pub fn part_outlines(&self) -> Vec<mesh::PartOutline> {
         self.parts
             .iter()

@@ -6,6 +6,8 @@ mod curve;
 mod graph;
 mod path;
 mod spline;
+#[cfg(test)]
+mod tests;
 
 pub use circle::CircularArc;
 pub use contact_line::{ContactLine, LinePoint};

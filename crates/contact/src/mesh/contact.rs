@@ -6,18 +6,19 @@
 //!            Ω''           direction.
 //! ```
 
-use super::outline::{Owner, nearest};
+use super::outline::Owner;
 use super::triangulation::{FreeSide, Triangulation, at, mesh_error};
 use super::{Body, ContactSide};
 use crate::Error;
-use crate::geometry::{Point, Segment, segments};
+use crate::geometry::{ContactLine, Piece, Point, Vec2, tangent_of};
 
 /// A side of one body on the contact zone, in the direction of the polyline.
 struct Oriented {
     segment: u16,
-    /// Parameter of the middle on the segment, in 0..1.
+    /// Parameter of the middle on the piece, in 0..1.
     place: f64,
     nodes: [u32; 2],
+    triangle: u32,
 }
 
 /// The sides of the contact zone in the order of the polyline; nodes are numbered in their own body.
@@ -25,22 +26,24 @@ pub(super) fn match_sides(
     bodies: &[Triangulation; 2],
     free: [&[FreeSide]; 2],
     owners: [&[Owner]; 2],
-    polyline: &[Point],
+    line: &ContactLine,
     tolerance: f64,
 ) -> Result<Vec<ContactSide>, Error> {
-    let segments: Vec<Segment> = segments(polyline).collect();
+    let pieces = line.pieces();
     let sorted = Body::BOTH.map(|body| {
         let b = body.index();
-        sort_along(&bodies[b], free[b], owners[b], &segments)
+        sort_along(&bodies[b], free[b], owners[b], pieces.iter().map(|both| &both[b]).collect())
     });
     check_orientation(bodies, &sorted)?;
-    check_matching(bodies, &sorted, tolerance)?;
+    check_matching(bodies, &sorted, line.direction(), tolerance)?;
     let [first, second] = sorted.map(|(sides, _)| sides);
-    Ok(first
-        .iter()
-        .zip(&second)
-        .map(|(f, s)| ContactSide { first: f.nodes, second: s.nodes, segment: f.segment })
-        .collect())
+    let side = |(f, s): (&Oriented, &Oriented)| ContactSide {
+        first: f.nodes,
+        second: s.nodes,
+        triangles: [f.triangle, s.triangle],
+        segment: f.segment,
+    };
+    Ok(first.iter().zip(&second).map(side).collect())
 }
 
 /// The contact sides of a body along the polyline, and for each whether the body lies on its left.
@@ -48,16 +51,16 @@ fn sort_along(
     mesh: &Triangulation,
     free: &[FreeSide],
     owners: &[Owner],
-    segments: &[Segment],
+    pieces: Vec<&Piece>,
 ) -> (Vec<Oriented>, Vec<bool>) {
     let mut sides = Vec::new();
     for (side, owner) in free.iter().zip(owners) {
         if let Owner::Contact(segment) = *owner {
-            let line = segments[usize::from(segment)];
-            let [a, b] = side.nodes.map(|i| line.parameter(mesh.points[i as usize]));
+            let piece = pieces[usize::from(segment)];
+            let [a, b] = side.nodes.map(|i| piece.foot(mesh.points[i as usize]));
             let [n, m] = side.nodes;
             let nodes = if a < b { [n, m] } else { [m, n] };
-            sides.push((Oriented { segment, place: 0.5 * (a + b), nodes }, a < b));
+            sides.push((Oriented { segment, place: 0.5 * (a + b), nodes, triangle: side.triangle }, a < b));
         }
     }
     sides.sort_by(|(a, _), (b, _)| (a.segment.cmp(&b.segment)).then(a.place.total_cmp(&b.place)));
@@ -86,19 +89,22 @@ fn check_orientation(bodies: &[Triangulation; 2], sorted: &[(Vec<Oriented>, Vec<
 fn check_matching(
     bodies: &[Triangulation; 2],
     sorted: &[(Vec<Oriented>, Vec<bool>); 2],
+    direction: Option<Vec2>,
     tolerance: f64,
 ) -> Result<(), Error> {
+    // Across a gap, partners share η and nothing else: only that component counts.
+    let seen = |x: Point| direction.map_or(x, |xi| x.dot(&tangent_of(xi)) * tangent_of(xi));
     let nodes = |b: usize| sorted[b].0.iter().flat_map(|s| s.nodes);
     let place = |b: usize, i: u32| bodies[b].points[i as usize];
     let pairs = || nodes(0).zip(nodes(1));
-    let far = |(i, j): &(u32, u32)| (place(0, *i) - place(1, *j)).norm() > tolerance;
+    let far = |(i, j): &(u32, u32)| seen(place(0, *i) - place(1, *j)).norm() > tolerance;
     if sorted[0].0.len() == sorted[1].0.len() && !pairs().any(|pair| far(&pair)) {
         return Ok(());
     }
     for (body, other) in [(Body::First, Body::Second), (Body::Second, Body::First)] {
         let (b, o) = (body.index(), other.index());
         for i in nodes(b) {
-            let (j, distance) = nearest(place(b, i), nodes(o), &bodies[o].points);
+            let (j, distance) = nearest_seen(place(b, i), nodes(o), &bodies[o].points, seen);
             if distance > tolerance {
                 return Err(mesh_error(format!(
                     "contact node {i} of {body} at {} has no partner in {other}: the nearest contact node there is \
@@ -116,4 +122,16 @@ fn check_matching(
         sorted[0].0.len(),
         sorted[1].0.len()
     )))
+}
+
+/// The node nearest to `x` in the components that count, and its distance.
+fn nearest_seen(
+    x: Point,
+    nodes: impl Iterator<Item = u32>,
+    points: &[Point],
+    seen: impl Fn(Point) -> Point,
+) -> (u32, f64) {
+    nodes
+        .map(|i| (i, seen(points[i as usize] - x).norm()))
+        .fold((0, f64::INFINITY), |best, next| if next.1 < best.1 { next } else { best })
 }

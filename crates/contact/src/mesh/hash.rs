@@ -4,7 +4,8 @@ use super::{Body, Mesh};
 
 impl Mesh {
     /// FNV-1a (64 bits) over everything in the mesh, as 16 hexadecimal digits: coordinates by their bit patterns, then
-    /// triangles, bodies, sides, parts and contact sides, each list after its length, integers as little-endian `u64`.
+    /// triangles, bodies, sides, parts and contact sides, each list after its length, integers as little-endian `u64`; then
+    /// the curved sides, if there are any.
     ///
     /// G. Fowler, L. C. Noll, K.-P. Vo, D. Eastlake: *The FNV Non-Cryptographic Hash Algorithm*. It tells meshes apart by
     /// accident, not against malice.
@@ -27,7 +28,19 @@ impl Mesh {
             h.numbers(c.second.map(u64::from));
             h.numbers([u64::from(c.segment)]);
         });
+        if !self.curved.sides.is_empty() {
+            self.add_curved(&mut hash);
+        }
         format!("{:016x}", hash.0)
+    }
+
+    fn add_curved(&self, hash: &mut Fnv1a) {
+        hash.bytes(format!("{:?}", self.curved.element).as_bytes());
+        hash.list(&self.curved.curves, |h, c| h.bytes(c.describe().as_bytes()));
+        hash.list(&self.curved.sides, |h, s| {
+            h.numbers([u64::from(s.triangle), u64::from(s.apex), u64::from(s.curve)]);
+            h.numbers(s.span.map(f64::to_bits));
+        });
     }
 }
 

@@ -10,21 +10,24 @@
 //! From blocks to meshes: [`blocks`] triangulates quadrilaterals, [`Mesh::build`] joins two triangulations and names
 //! their boundary, [`Hierarchy`] refines, [`Quality`] measures and [`Mesh::hash`] identifies.
 
-use crate::geometry::Point;
+use crate::geometry::{Path, Point, Vec2};
 use std::fmt;
 
 pub mod blocks;
 mod build;
 mod contact;
+pub mod curved;
 mod hash;
 pub mod hierarchy;
 mod outline;
 pub mod quality;
+pub mod side;
 mod sides;
 #[cfg(test)]
 pub(crate) mod tests;
 pub mod triangulation;
 
+pub use curved::{CurvedSide, CurvedSides};
 pub use hash::fnv1a;
 pub use hierarchy::Hierarchy;
 pub use quality::Quality;
@@ -66,14 +69,16 @@ pub struct BoundarySide {
     pub part: u16,
 }
 
-/// A side of the contact zone: the same segment of `Γ_K` seen from both bodies, nodes matched.
+/// A side of the contact zone: the same piece of `Γ_K` seen from both bodies, nodes matched.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ContactSide {
     /// The two nodes in `Ω'`, in the direction of the contact polyline.
     pub first: [u32; 2],
-    /// The two nodes in `Ω''`, each at the same point as its partner in `first`.
+    /// The two nodes in `Ω''`, each at the same point as its partner in `first`; across a gap, on the same line `η = C_j`.
     pub second: [u32; 2],
-    /// Which segment `Γ_K,i` of the polyline, from 0.
+    /// The triangles in `Ω'` and `Ω''` that own the side.
+    pub triangles: [u32; 2],
+    /// Which piece `Γ_K,i` of the zone, from 0.
     pub segment: u16,
 }
 
@@ -94,6 +99,10 @@ pub struct Mesh {
     pub parts: Vec<PartName>,
     /// Sides of the contact zone in the order of the polyline.
     pub contact: Vec<ContactSide>,
+    /// Curved sides; none where everything is straight.
+    pub curved: CurvedSides,
+    /// `e_ξ` of an enlarging contact zone, across whose gap the bodies meet; none where they touch from the start.
+    pub direction: Option<Vec2>,
 }
 
 /// The name of a boundary part and the body it belongs to.
@@ -117,13 +126,13 @@ impl Mesh {
     }
 }
 
-/// A boundary part before there is a mesh: every side of `body` that lies on the polyline belongs to it.
+/// A boundary part before there is a mesh: every side of `body` that lies on the path belongs to it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PartOutline {
     /// The body.
     pub body: Body,
     /// The name, unique within the body.
     pub name: String,
-    /// Corners of the polyline.
-    pub along: Vec<Point>,
+    /// Where it is.
+    pub along: Path,
 }

@@ -65,13 +65,19 @@ impl Squares {
     }
 }
 
-/// The norms of a piecewise linear field, exactly (`L²` by the element mass matrix).
+/// The norms of a field of the finite element space: exactly on straight triangles (`L²` by the element mass matrix), by 64
+/// points on those with a curved side.
 pub fn of_linear(mesh: &Mesh, materials: &[Material; 2], v: &[Vec2]) -> Squares {
     ordered_sum(mesh.triangles.len(), |t| {
         let body = mesh.body(t);
         let values = mesh.triangles[t].map(|i| v[i as usize]);
-        let (g, area) = gradients(mesh.corners(t));
         let mut squares = Squares::default();
+        if let Some(curved) = mesh.curved_triangle(t) {
+            let material = &materials[body.index()];
+            curved.points(&mut |p, w| squares.add(body, material, w, p.value(&values), p.gradient(&values)));
+            return squares;
+        }
+        let (g, area) = gradients(mesh.corners(t));
         squares.add(body, &materials[body.index()], area, Vec2::zeros(), displacement_gradient(&g, values));
         // ∫ |v|² = |T|/12 (|v_0+v_1+v_2|² + Σ|v_k|²)
         let total: Vec2 = values.iter().sum();
@@ -94,19 +100,24 @@ pub fn of_differences<const N: usize>(
 ) -> [Squares; N] {
     let sums: Several<N> = ordered_sum(mesh.triangles.len(), |t| {
         let (body, corners) = (mesh.body(t), mesh.corners(t));
-        let (g, _) = gradients(corners);
         let nodal = fields.map(|v| mesh.triangles[t].map(|i| v[i as usize]));
-        let linear = nodal.map(|values| displacement_gradient(&g, values));
         let mut sums = Several::default();
-        cubature.triangle(corners, &mut |x, w| {
+        let mut add = |x: Point, hats: &[f64; 3], gradients: &[Vec2; 3], w: f64| {
             let (value, gradient) = u(body, x);
-            let hat = hats(corners, x);
             for k in 0..N {
-                let v: Vec2 = (0..3).map(|c| hat[c] * nodal[k][c]).sum();
-                let difference = std::array::from_fn(|i| std::array::from_fn(|j| gradient[i][j] - linear[k][i][j]));
+                let v: Vec2 = (0..3).map(|c| hats[c] * nodal[k][c]).sum();
+                let linear = displacement_gradient(gradients, nodal[k]);
+                let difference = std::array::from_fn(|i| std::array::from_fn(|j| gradient[i][j] - linear[i][j]));
                 sums.0[k].add(body, &materials[body.index()], w, value - v, difference);
             }
-        });
+        };
+        match mesh.curved_triangle(t) {
+            Some(curved) => cubature.curved(&curved, &mut |p, w| add(p.x, &p.hats, &p.gradients, w)),
+            None => {
+                let (g, _) = gradients(corners);
+                cubature.triangle(corners, &mut |x, w| add(x, &hats(corners, x), &g, w));
+            }
+        }
         sums
     });
     sums.0

@@ -4,12 +4,14 @@
 //! [`GRADING`] times its distance from the nearest singular point, or it has reached the floor.
 
 mod cut;
+mod patch;
 mod rules;
 #[cfg(test)]
 mod tests;
 
 use crate::geometry::{Point, Segment, twice_area};
 use cut::{crossing, cut_leaf};
+pub use patch::Patch;
 use rules::five_points;
 pub use rules::{GAUSS_8, conical_points, seven_points};
 

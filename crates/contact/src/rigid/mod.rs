@@ -5,6 +5,7 @@
 //! bodies together) and `f(y) = 0` where `−y` is allowed as well. The allowed motions form a polyhedral cone in at most
 //! six dimensions, so its two-sided part is a null space and the rest is decided on its extreme rays.
 
+mod cone;
 #[cfg(test)]
 mod tests;
 
@@ -183,19 +184,22 @@ fn null_space(gram: &Matrix6<f64>) -> Vec<Vector6<f64>> {
     (0..6).filter(null).map(|i| eigen.eigenvectors.column(i).into_owned()).collect()
 }
 
-/// The rows of `q ↦ n·(y' − y'')` at both ends of every straight piece of the zone: between them it is linear.
+/// The rows of `q ↦ n·(y' − y'')` at the contact nodes; of a straight piece of the zone only at its two ends, since it is
+/// linear between them.
 fn contact_rows(mesh: &Mesh, zone: &Zone, frame: &Frame) -> Vec<Vector6<f64>> {
     let mut rows = Vec::new();
     let mut add = |side: usize, end: usize| {
-        let (n, x) = (zone.side_normals[side], mesh.points[mesh.contact[side].first[end] as usize]);
-        rows.push(frame.row(Body::First, x, n) - frame.row(Body::Second, x, n));
+        let n = zone.side_normals[side][end];
+        let [x, y] = [mesh.contact[side].first, mesh.contact[side].second].map(|s| mesh.points[s[end] as usize]);
+        rows.push(frame.row(Body::First, x, n) - frame.row(Body::Second, y, n));
     };
+    let is_curved = |side: usize| mesh.contact[side].triangles.iter().any(|&t| mesh.curved.of(t as usize).is_some());
     for side in 0..mesh.contact.len() {
         let segment = mesh.contact[side].segment;
         if side == 0 || mesh.contact[side - 1].segment != segment {
             add(side, 0);
         }
-        if side + 1 == mesh.contact.len() || mesh.contact[side + 1].segment != segment {
+        if is_curved(side) || side + 1 == mesh.contact.len() || mesh.contact[side + 1].segment != segment {
             add(side, 1);
         }
     }
@@ -216,46 +220,13 @@ fn split(free: &[Vector6<f64>], contact: &[Vector6<f64>]) -> (Vec<Vector6<f64>>,
     parts
 }
 
-/// The extreme rays of `{ q ∈ span(directions) : r·q ≤ 0 for every row r }`, a pointed cone: each lies on
-/// `dimension − 1` independent rows.
+/// The extreme rays of `{ q ∈ span(directions) : r·q ≤ 0 for every row r }`, a pointed cone.
 fn extreme_rays(directions: &[Vector6<f64>], rows: &[Vector6<f64>]) -> Vec<Vector6<f64>> {
     let d = directions.len();
     if d == 0 {
         return Vec::new();
     }
     let reduced: Vec<DVector<f64>> = rows.iter().map(|r| DVector::from_fn(d, |j, _| r.dot(&directions[j]))).collect();
-    let mut rays = Vec::new();
-    each_subset(reduced.len(), d - 1, &mut |subset| {
-        let Some(ray) = common_null_vector(d, subset.iter().map(|&i| &reduced[i])) else { return };
-        for ray in [ray.clone(), -ray] {
-            if reduced.iter().all(|r| r.dot(&ray) <= 1e-9 * r.norm()) {
-                rays.push((0..d).fold(Vector6::zeros(), |q, j| q + ray[j] * directions[j]));
-            }
-        }
-    });
-    rays
-}
-
-/// The unit vector orthogonal to `d − 1` rows, if they are independent.
-fn common_null_vector<'a>(d: usize, rows: impl Iterator<Item = &'a DVector<f64>>) -> Option<DVector<f64>> {
-    let gram = rows.fold(DMatrix::zeros(d, d), |g, r| g + r * r.transpose());
-    let eigen = SymmetricEigen::new(gram);
-    let largest = eigen.eigenvalues.max();
-    let null: Vec<usize> = (0..d).filter(|&i| eigen.eigenvalues[i] <= NULL * largest).collect();
-    (null.len() == 1).then(|| eigen.eigenvectors.column(null[0]).into_owned())
-}
-
-/// Visits the subsets of `0..n` with `k` members, in lexicographic order.
-fn each_subset(n: usize, k: usize, visit: &mut impl FnMut(&[usize])) {
-    fn extend(n: usize, k: usize, chosen: &mut Vec<usize>, visit: &mut impl FnMut(&[usize])) {
-        if chosen.len() == k {
-            return visit(chosen);
-        }
-        for i in chosen.last().map_or(0, |l| l + 1)..n {
-            chosen.push(i);
-            extend(n, k, chosen, visit);
-            chosen.pop();
-        }
-    }
-    extend(n, k, &mut Vec::with_capacity(k), visit);
+    let combine = |ray: DVector<f64>| (0..d).fold(Vector6::zeros(), |q, j| q + ray[j] * directions[j]);
+    cone::extreme_rays(d, &reduced).into_iter().map(combine).collect()
 }

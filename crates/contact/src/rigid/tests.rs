@@ -15,19 +15,6 @@ fn frame() -> (Mesh, Frame) {
 }
 
 #[test]
-fn subsets_come_once_each_and_in_order() {
-    let list = |n, k| {
-        let mut all: Vec<Vec<usize>> = Vec::new();
-        each_subset(n, k, &mut |s| all.push(s.to_vec()));
-        all
-    };
-    assert_eq!(list(4, 2), [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]]);
-    assert_eq!(list(5, 3).len(), 10);
-    assert_eq!(list(3, 0), [[0usize; 0]]);
-    assert!(list(2, 3).is_empty());
-}
-
-#[test]
 fn motions_are_rigid_and_rotate_about_the_centre() {
     let (_, frame) = frame();
     // the box of both squares is (0, 1) × (−1, 1)

@@ -10,7 +10,7 @@
 #[cfg(test)]
 mod tests;
 
-use crate::geometry::{Vec2, cross, right_normal};
+use crate::geometry::{LinePoint, Vec2, cross};
 use crate::mesh::Mesh;
 use std::collections::BTreeMap;
 
@@ -27,13 +27,14 @@ pub struct Constraint {
     pub normal: Vec2,
     /// Initial gap, zero where the bodies touch before loading.
     pub gap: f64,
-    /// Half the length of the adjacent sides with this normal: the lumped mass of the pressure.
+    /// Half the measure of the adjacent sides with this normal (length, or width in `η` across a gap): the lumped mass of the
+    /// pressure.
     pub mass: f64,
     /// The last contact side (index into `Mesh::contact`) that this constraint belongs to.
     pub side: usize,
 }
 
-/// A node of `Ω'` and its partner in `Ω''`, at the same point of `Γ_K`.
+/// A node of `Ω'` and its partner in `Ω''`, at the same point of `Γ_K` or, across a gap, on the same line `η = C_j`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ContactPair {
     /// Node `a` of `Ω'`.
@@ -49,8 +50,8 @@ pub struct ContactPair {
 pub struct Zone {
     /// The pairs.
     pub pairs: Vec<ContactPair>,
-    /// For each contact side, the unit normal outward from `Ω'`.
-    pub side_normals: Vec<Vec2>,
+    /// For each contact side, the `n` of its constraints at the two ends: the unit normal outward from `Ω'`, or `−e_ξ`.
+    pub side_normals: Vec<[Vec2; 2]>,
     /// For each contact side, where its two end nodes find their constraint: `(pair, constraint)`.
     pub side_ends: Vec<[(usize, usize); 2]>,
     /// Corners whose two normals are nearly the same, in words.
@@ -61,12 +62,14 @@ impl Zone {
     /// Collects the pairs of the mesh with the normals of their sides.
     pub fn new(mesh: &Mesh) -> Self {
         let mut zone = Self::default();
-        let turn = if first_on_left(mesh) { 1.0 } else { -1.0 };
         let mut known = BTreeMap::new();
         for side in 0..mesh.contact.len() {
-            let normal = turn * right_of(mesh, side);
-            let ends = [0, 1].map(|end| zone.add(mesh, side, end, normal, &mut known));
-            zone.side_normals.push(normal);
+            let view = mesh.contact_view(side);
+            let mass = 0.5 * view.measure();
+            let points = [view.at(0.0), view.at(1.0)];
+            let constraint = |p: &LinePoint| Constraint { normal: p.normal, gap: p.gap, mass, side };
+            let ends = [0, 1].map(|end| zone.add(mesh, side, end, constraint(&points[end]), &mut known));
+            zone.side_normals.push(points.map(|p| p.normal));
             zone.side_ends.push(ends);
         }
         zone
@@ -82,12 +85,11 @@ impl Zone {
         mesh: &Mesh,
         side: usize,
         end: usize,
-        normal: Vec2,
+        constraint: Constraint,
         known: &mut BTreeMap<u32, usize>,
     ) -> (usize, usize) {
         let contact = &mesh.contact[side];
-        let mass = 0.5 * side_length(mesh, side);
-        let constraint = Constraint { normal, gap: 0.0, mass, side };
+        let normal = constraint.normal;
         let (first, second) = (contact.first[end], contact.second[end]);
         let Some(&pair) = known.get(&first) else {
             known.insert(first, self.pairs.len());
@@ -96,7 +98,7 @@ impl Zone {
         };
         let same = |c: &Constraint| cross(c.normal, normal).abs() < SAME_NORMAL && c.normal.dot(&normal) > 0.0;
         if let Some(k) = self.pairs[pair].constraints.iter().position(same) {
-            self.pairs[pair].constraints[k].mass += mass;
+            self.pairs[pair].constraints[k].mass += constraint.mass;
             self.pairs[pair].constraints[k].side = side;
             return (pair, k);
         }
@@ -119,23 +121,7 @@ impl Zone {
     }
 }
 
-/// Length of contact side `side`.
+/// The measure of contact side `side`: its length, or its width in `η` across a gap.
 pub fn side_length(mesh: &Mesh, side: usize) -> f64 {
-    let [a, b] = mesh.contact[side].first.map(|i| mesh.points[i as usize]);
-    (b - a).norm()
-}
-
-/// The unit normal to the right of contact side `side`, in the direction of the polyline.
-fn right_of(mesh: &Mesh, side: usize) -> Vec2 {
-    let [a, b] = mesh.contact[side].first.map(|i| mesh.points[i as usize]);
-    right_normal(a, b)
-}
-
-/// Whether `Ω'` lies to the left of the contact polyline, read off the triangle at its first side. `O(N)`.
-fn first_on_left(mesh: &Mesh) -> bool {
-    let Some([a, b]) = mesh.contact.first().map(|side| side.first) else {
-        return true;
-    };
-    let follows = |t: &[u32; 3]| (0..3).any(|i| t[i] == a && t[(i + 1) % 3] == b);
-    mesh.triangles[..mesh.first_triangles].iter().any(follows)
+    mesh.contact_view(side).measure()
 }

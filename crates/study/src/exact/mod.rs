@@ -20,6 +20,7 @@ mod power_law;
 #[cfg(test)]
 mod tests;
 mod tiles;
+mod traces;
 pub mod verify;
 mod wedge;
 
@@ -35,6 +36,7 @@ pub use patch::CornerPatch;
 pub use polynomial::Polynomial;
 pub use power_law::PowerLaw;
 pub use tiles::Tiles;
+pub use traces::{LineText, TraceError, TraceName, TraceTexts, Traces};
 
 use signorini_contact::{Body, Point, Vec2, geometry::Segment};
 

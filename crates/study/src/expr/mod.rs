@@ -22,6 +22,8 @@
 //! assert!(wrong.to_string().contains("did you mean `sqrt`"));
 //! ```
 
+mod build;
+mod derivative;
 mod error;
 mod functions;
 mod lexer;
@@ -63,7 +65,25 @@ impl Expression {
         self.root.eval(variables)
     }
 
-    /// The text that was parsed.
+    /// The derivative by the variable of this number, counted from 0.
+    ///
+    /// At a kink it is that of the branch taken, as the value's own: 0 for `abs`, `sign`, `step` and `pos` at 0, the first
+    /// of equals for `min` and `max`; comparisons are taken as they stand. Where a slope is infinite and multiplied by 0,
+    /// as in `sqrt(x^2)` at 0, it is NaN; a branch that is constant, as `pos(x)^0.5` for `x < 0`, has derivative 0.
+    ///
+    /// ```
+    /// use signorini_study::expr::Expression;
+    ///
+    /// let gap = Expression::parse("pos(x - 0.25)^3", &["x"], &Default::default()).unwrap();
+    /// assert_eq!(gap.derivative(0).eval(&[0.75]), 0.75);
+    /// ```
+    #[must_use]
+    pub fn derivative(&self, variable: usize) -> Self {
+        let root = derivative::derivative(&self.root, variable);
+        Self { text: format!("derivative {variable} of {}", self.text), variables: self.variables, root }
+    }
+
+    /// The text that was parsed; of a derivative, the text of the expression that it belongs to, named as such.
     pub fn text(&self) -> &str {
         &self.text
     }

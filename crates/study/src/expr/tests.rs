@@ -201,7 +201,7 @@ fn depth_is_bounded_and_length_is_not() {
 }
 
 /// Random strings of the language's own pieces and of any characters: an answer or an error, never a panic, and what is
-/// accepted can be evaluated.
+/// accepted can be differentiated and evaluated.
 #[test]
 fn no_text_panics() {
     let pieces = [
@@ -225,7 +225,8 @@ fn evaluate_everywhere(e: &Expression) {
     let kinds = e.eval(&[0.0, -1.5]);
     let first = e.eval(&[DualSVec64::<2>::from_re(0.0).derivative(0); 2]).re;
     let second = e.eval(&[<Dual2SVec64<2> as From<f64>>::from(0.5).chain(0.5, 1.0, 0.0); 2]);
-    let _ = (kinds, first, second);
+    let slope = e.derivative(0).derivative(1).eval(&[0.25, -1.5]);
+    let _ = (kinds, first, second, slope);
 }
 
 /// A linear congruential generator: the same strings on every machine.

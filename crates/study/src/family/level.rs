@@ -3,10 +3,10 @@
 use super::Family;
 use super::perturb::{Guard, perturb, turn_diagonals};
 use super::random::Random;
-use crate::study::Shape;
+use crate::study::{Discretisation, Shape};
 use signorini_contact::mesh::blocks::{QuadBlock, triangulate};
-use signorini_contact::mesh::{Hierarchy, Mesh, PartOutline, Quality, Triangulation};
-use signorini_contact::{Error, Point};
+use signorini_contact::mesh::{CurvedSides, Hierarchy, Mesh, PartOutline, Quality, Triangulation};
+use signorini_contact::{ContactLine, Error, Point};
 
 /// A level of a family and its certificate.
 #[derive(Clone, Debug)]
@@ -28,30 +28,44 @@ pub fn refinements(coarse: usize, n: usize) -> Option<usize> {
     ratio.is_power_of_two().then(|| ratio.trailing_zeros() as usize)
 }
 
+/// What is meshed: the bodies, the names of their boundary parts, the contact zone.
+#[derive(Clone, Debug)]
+pub struct Domain<'a> {
+    /// Shapes of `Ω'` and `Ω''`.
+    pub shapes: &'a [Shape; 2],
+    /// Boundary parts, as [`Mesh::build`] wants them.
+    pub outlines: Vec<PartOutline>,
+    /// The contact zone.
+    pub contact: &'a ContactLine,
+    /// What curved sides become.
+    pub discretisation: Discretisation,
+}
+
+impl Domain<'_> {
+    /// Whether a side of a body is curved.
+    pub fn is_curved(&self) -> bool {
+        self.shapes.iter().flat_map(|s| &s.blocks).flat_map(|b| &b.curves).any(Option::is_some)
+    }
+}
+
 /// The mesh of level `index`, with `cells[index]` cells per unit of the blocks' divisions.
 ///
-/// `cells` lists all levels and must not descend; `outlines` and `contact` are those of [`Mesh::build`]. A level depends on
-/// `cells[0]`, `cells[index]` and, for `nested` alone, on `cells[index − 1]`.
+/// `cells` lists all levels and must not descend. A level depends on `cells[0]`, `cells[index]` and, for `nested` alone, on
+/// `cells[index − 1]`. On curved bodies only a refined family is made by refinement; the others are fresh meshes.
 ///
 /// # Errors
 /// [`Error::Mesh`] for cells that descend or are 0, an index without cells, an amount outside `[0, ½)`, a refined family whose
 /// cells are no `2^k cells[0]`, and whatever [`triangulate`] and [`Mesh::build`] refuse.
-pub fn build_level(
-    family: &Family,
-    shapes: &[Shape; 2],
-    outlines: &[PartOutline],
-    contact: &[Point],
-    cells: &[usize],
-    index: usize,
-) -> Result<Level, Error> {
+pub fn build_level(family: &Family, domain: &Domain, cells: &[usize], index: usize) -> Result<Level, Error> {
     check(family, cells)?;
     let Some(&n) = cells.get(index) else {
         return refuse(format!("level {index} does not exist; there are {} levels, from 0", cells.len()));
     };
-    let scene = Scene { family, shapes, outlines, contact };
+    let scene = Scene { family, domain };
+    let by_refinement = family.is_refined() || (family.is_nested() && !domain.is_curved());
     let hierarchy = match refinements(cells[0], n) {
-        Some(steps) if family.is_nested() => scene.refined(cells[0], steps)?,
-        None if matches!(family, Family::Refined { .. }) => {
+        Some(steps) if by_refinement => scene.refined(cells[0], steps)?,
+        None if family.is_refined() => {
             return refuse(not_a_refinement(cells[0], n));
         }
         _ => Hierarchy::new(scene.fresh(n)?),
@@ -60,7 +74,7 @@ pub fn build_level(
     Ok(Level {
         quality: finest.quality(),
         hash: finest.hash(),
-        nested: family.is_nested() && index > 0 && follows(cells, index),
+        nested: family.is_nested() && !domain.is_curved() && index > 0 && follows(cells, index),
         hierarchy,
     })
 }
@@ -72,9 +86,7 @@ pub fn build_level(
 /// [`Error::Mesh`] as for [`build_level`], for a family that is not nested, and for cells that are not `2^k cells[0]`.
 pub fn build_reference(
     family: &Family,
-    shapes: &[Shape; 2],
-    outlines: &[PartOutline],
-    contact: &[Point],
+    domain: &Domain,
     cells: &[usize],
     reference_n: usize,
 ) -> Result<Hierarchy, Error> {
@@ -96,7 +108,7 @@ pub fn build_reference(
         return refuse(not_a_refinement(coarse, n));
     }
     match refinements(coarse, reference_n) {
-        Some(steps) => Scene { family, shapes, outlines, contact }.refined(coarse, steps),
+        Some(steps) => Scene { family, domain }.refined(coarse, steps),
         None => refuse(not_a_refinement(coarse, reference_n)),
     }
 }
@@ -130,9 +142,7 @@ fn refuse<T>(message: String) -> Result<T, Error> {
 /// What all levels of a case have in common.
 struct Scene<'a> {
     family: &'a Family,
-    shapes: &'a [Shape; 2],
-    outlines: &'a [PartOutline],
-    contact: &'a [Point],
+    domain: &'a Domain<'a>,
 }
 
 impl Scene<'_> {
@@ -150,17 +160,24 @@ impl Scene<'_> {
         if matches!(self.family, Family::Refined { .. }) {
             bodies.iter_mut().for_each(|b| turn_diagonals(b, guard, &mut random));
         }
-        let mut mesh = Mesh::build(bodies, self.outlines, self.contact)?;
+        let mut mesh = Mesh::build(bodies, &self.domain.outlines, self.domain.contact)?;
+        mesh.curved.element = self.domain.discretisation.element;
         if let Some(amount) = self.family.amount() {
             perturb(&mut mesh, &self.fixed(), amount, guard, &mut random);
+        }
+        if self.domain.discretisation.chords {
+            mesh.curved = CurvedSides::default();
         }
         Ok(mesh)
     }
 
     fn triangulate(&self, body: usize, n: usize) -> Result<Triangulation, Error> {
-        let shape = &self.shapes[body];
-        let block =
-            |b: &crate::study::Block| QuadBlock { corners: b.corners, cells: b.divisions.map(|d| d.saturating_mul(n)) };
+        let shape = &self.domain.shapes[body];
+        let block = |b: &crate::study::Block| QuadBlock {
+            corners: b.corners,
+            cells: b.divisions.map(|d| d.saturating_mul(n)),
+            curves: b.curves.clone(),
+        };
         let blocks: Vec<_> = shape.blocks.iter().map(block).collect();
         triangulate(&blocks, self.family.pattern()).map_err(|error| match error {
             Error::Mesh(message) => Error::Mesh(format!("body \"{}\": {message}", shape.name)),
@@ -170,8 +187,8 @@ impl Scene<'_> {
 
     /// Points that keep their place on the boundary: corners and ends of parts, of the contact polyline and of blocks.
     fn fixed(&self) -> Vec<Point> {
-        let parts = self.outlines.iter().flat_map(|p| &p.along);
-        let blocks = self.shapes.iter().flat_map(|s| &s.blocks).flat_map(|b| &b.corners);
-        parts.chain(self.contact).chain(blocks).copied().collect()
+        let parts = self.domain.outlines.iter().flat_map(|p| &p.along.corners);
+        let blocks = self.domain.shapes.iter().flat_map(|s| &s.blocks).flat_map(|b| &b.corners);
+        parts.chain(&self.domain.contact.corners()).chain(blocks).copied().collect()
     }
 }

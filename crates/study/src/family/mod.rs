@@ -15,7 +15,7 @@ mod random;
 #[cfg(test)]
 mod tests;
 
-pub use level::{Level, build_level, build_reference, refinements};
+pub use level::{Domain, Level, build_level, build_reference, refinements};
 
 /// Which family.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -62,9 +62,15 @@ impl Family {
         }
     }
 
-    /// Whether levels are refinements of the coarsest mesh, so that coarse fields can be prolonged.
+    /// Whether, on bodies with straight sides, levels are refinements of the coarsest mesh, so that coarse fields can be
+    /// prolonged.
     pub fn is_nested(&self) -> bool {
         matches!(self, Self::Structured | Self::CrissCross | Self::Refined { .. })
+    }
+
+    /// Whether every level is a refinement of the coarsest mesh, on curved bodies too.
+    pub fn is_refined(&self) -> bool {
+        matches!(self, Self::Refined { .. })
     }
 
     /// How the cells of a fresh mesh are cut.

@@ -1,16 +1,16 @@
 //! Every family on four scenes: certificates, nestedness, reproducibility, refusals.
 
-use super::{Family, Level, build_level, build_reference, refinements};
+use super::{Domain, Family, Level, build_level, build_reference, refinements};
 use crate::study::{Block, Shape};
 use signorini_contact::geometry::twice_area;
 use signorini_contact::mesh::{Hierarchy, Mesh, PartOutline};
-use signorini_contact::{Body, Error, Point, Vec2};
+use signorini_contact::{Body, ContactLine, Error, Point, Vec2};
 
 struct Scene {
     name: &'static str,
     shapes: [Shape; 2],
     outlines: Vec<PartOutline>,
-    contact: Vec<Point>,
+    contact: ContactLine,
     /// Areas of the bodies, by hand.
     areas: [f64; 2],
     /// Smallest angle of the structured mesh of one cell, in degrees.
@@ -18,12 +18,21 @@ struct Scene {
 }
 
 impl Scene {
+    fn domain(&self) -> Domain<'_> {
+        Domain {
+            shapes: &self.shapes,
+            outlines: self.outlines.clone(),
+            contact: &self.contact,
+            discretisation: Default::default(),
+        }
+    }
+
     fn level(&self, family: Family, cells: &[usize], index: usize) -> Result<Level, Error> {
-        build_level(&family, &self.shapes, &self.outlines, &self.contact, cells, index)
+        build_level(&family, &self.domain(), cells, index)
     }
 
     fn reference(&self, family: Family, cells: &[usize], n: usize) -> Result<Hierarchy, Error> {
-        build_reference(&family, &self.shapes, &self.outlines, &self.contact, cells, n)
+        build_reference(&family, &self.domain(), cells, n)
     }
 }
 
@@ -32,12 +41,16 @@ fn points(xy: &[[f64; 2]]) -> Vec<Point> {
 }
 
 fn shape(name: &str, blocks: &[[[f64; 2]; 4]]) -> Shape {
-    let block = |c: &[[f64; 2]; 4]| Block { corners: c.map(|[x, y]| Point::new(x, y)), divisions: [1, 1] };
+    let block = |c: &[[f64; 2]; 4]| Block {
+        corners: c.map(|[x, y]| Point::new(x, y)),
+        divisions: [1, 1],
+        curves: Default::default(),
+    };
     Shape { name: name.into(), blocks: blocks.iter().map(block).collect() }
 }
 
 fn part(body: Body, name: &str, along: &[[f64; 2]]) -> PartOutline {
-    PartOutline { body, name: name.into(), along: points(along) }
+    PartOutline { body, name: name.into(), along: points(along).into() }
 }
 
 fn rectangle(x: [f64; 2], y: [f64; 2]) -> [[f64; 2]; 4] {
@@ -57,7 +70,7 @@ fn squares() -> Scene {
             part(Body::First, "right", &[[1.0, 0.0], [1.0, 1.0]]),
             part(Body::Second, "rest", &[[0.0, 0.0], [0.0, -1.0], [1.0, -1.0], [1.0, 0.0]]),
         ],
-        contact: points(&[[0.0, 0.0], [1.0, 0.0]]),
+        contact: points(&[[0.0, 0.0], [1.0, 0.0]]).into(),
         areas: [1.0, 1.0],
         angle: 45.0,
     }
@@ -74,7 +87,7 @@ fn kinked() -> Scene {
         name: "kinked",
         shapes: [shape("upper", &upper), shape("lower", &lower)],
         outlines: vec![part(Body::First, "top", &top), part(Body::Second, "bottom", &bottom)],
-        contact: points(&[[-1.0, 0.2], [0.0, 0.0], [1.0, 0.5]]),
+        contact: points(&[[-1.0, 0.2], [0.0, 0.0], [1.0, 0.5]]).into(),
         areas: [2.65, 2.35],
         // Upper right block, at (0, 0) between the diagonal and the contact side: atan 1.5 − atan 0.5.
         angle: 29.74488129694223,
@@ -92,7 +105,7 @@ fn punch() -> Scene {
             part(Body::First, "rest", &[[2.0, 0.0], [2.0, 1.0], [1.0, 1.0], [1.0, 0.0]]),
             part(Body::Second, "rest", &rest),
         ],
-        contact: points(&[[1.0, 0.0], [2.0, 0.0]]),
+        contact: points(&[[1.0, 0.0], [2.0, 0.0]]).into(),
         areas: [1.0, 3.0],
         angle: 45.0,
     }
@@ -109,7 +122,7 @@ fn sheared() -> Scene {
             part(Body::First, "rest", &[upper[1], upper[2], upper[3], upper[0]]),
             part(Body::Second, "rest", &[lower[3], lower[0], lower[1], lower[2]]),
         ],
-        contact: points(&[[0.0, 0.0], [1.0, 0.0]]),
+        contact: points(&[[0.0, 0.0], [1.0, 0.0]]).into(),
         areas: [1.0, 1.0],
         // At (−0.5, 1), between the diagonal and the right side: atan 2 − atan (2/3).
         angle: 29.744_881_296_942_22,

@@ -4,23 +4,19 @@
 //! with the fewest digits that read back the same.
 
 use super::layer::Layer;
-use super::raw::{RawBoundary, RawExact, RawField, RawPoint};
+use super::number::Finite;
+use super::raw::{RawBoundary, RawExact, RawField, RawPoint, RawTraces};
 use crate::claim::Claim;
-use crate::study::{Block, Case};
+use crate::study::{Block, Case, Scene, Subject};
 use signorini_contact::{Material, Point};
 use std::fmt::Write;
+use toml::Spanned;
 
 /// One line per fact, in a fixed order.
 pub fn text(case: &Case, layer: &Layer<'_>, claim: &Claim) -> String {
     let mut lines = Lines(String::new());
-    bodies(&mut lines, case, layer);
-    for (raw, part) in layer.boundary.unwrap_or_default().iter().zip(&case.scene.parts) {
-        lines.put("part", format!("{:?} {} {}", part.body, points(&part.along), condition(raw)));
-    }
-    lines.put("contact", points(&case.scene.contact));
-    if let (Some(raw), Some(exact)) = (layer.exact, &case.scene.exact) {
-        lines.put("exact", solution(raw.get_ref()));
-        lines.put("exact materials", format!("{} {}", law(&exact.materials[0]), law(&exact.materials[1])));
+    match &case.subject {
+        Subject::Contact(scene) => contact(&mut lines, scene, layer),
     }
     lines.put("parameters", format!("{:?}", layer.parameters));
     lines.put("family", format!("{:?}", case.family));
@@ -34,6 +30,24 @@ pub fn text(case: &Case, layer: &Layer<'_>, claim: &Claim) -> String {
     lines.0
 }
 
+fn contact(lines: &mut Lines, scene: &Scene, layer: &Layer<'_>) {
+    bodies(lines, scene, layer);
+    for (raw, part) in layer.boundary.unwrap_or_default().iter().zip(&scene.parts) {
+        lines.put("part", format!("{:?} {} {}", part.body, part.along.describe(), condition(raw)));
+    }
+    lines.put("contact", scene.contact.describe());
+    if scene.discretisation != Default::default() {
+        lines.put("discretisation", format!("{:?}", scene.discretisation));
+    }
+    if let (Some(raw), Some(exact)) = (layer.exact, &scene.exact) {
+        lines.put("exact", solution(raw.get_ref()));
+        if let Some(given) = &raw.get_ref().traces {
+            lines.put("traces", traces(given.get_ref()));
+        }
+        lines.put("exact materials", format!("{} {}", law(&exact.materials[0]), law(&exact.materials[1])));
+    }
+}
+
 struct Lines(String);
 
 impl Lines {
@@ -43,12 +57,17 @@ impl Lines {
     }
 }
 
-fn bodies(lines: &mut Lines, case: &Case, layer: &Layer<'_>) {
+fn bodies(lines: &mut Lines, scene: &Scene, layer: &Layer<'_>) {
     for (i, raw) in layer.body.unwrap_or_default().iter().enumerate() {
-        for Block { corners, divisions } in &case.scene.bodies[i].blocks {
+        for Block { corners, divisions, curves } in &scene.bodies[i].blocks {
             lines.put("block", format!("{} {divisions:?}", points(corners)));
+            for (k, curve) in curves.iter().enumerate() {
+                if let Some(curve) = curve {
+                    lines.put("curved side", format!("{k} {}", curve.describe()));
+                }
+            }
         }
-        lines.put("material", law(&case.scene.materials[i]));
+        lines.put("material", law(&scene.materials[i]));
         lines.put("force", raw.get_ref().force.as_ref().map_or("from the exact solution, or none".into(), field));
     }
 }
@@ -65,6 +84,31 @@ fn solution(raw: &RawExact) -> String {
     let list = |points: &[RawPoint]| points.iter().map(|p| format!("({:?}, {:?})", p[0].0, p[1].0)).collect::<String>();
     let breaks: String = raw.breaks.iter().map(|s| list(&s.0)).collect();
     format!("{name} {first} {second} [{}] [{breaks}] [{}]", list(&raw.singular), list(&raw.switches))
+}
+
+fn traces(raw: &RawTraces) -> String {
+    let pair = |f: Option<&RawField>| f.map_or("-".into(), field);
+    let number = |x: &Option<Spanned<Finite>>| x.as_ref().map_or("-".into(), |x| format!("{:?}", x.get_ref().0));
+    let list = |numbers: &[Finite]| format!("{:?}", numbers.iter().map(|x| x.0).collect::<Vec<f64>>());
+    let centre =
+        raw.centre.as_ref().map_or("-".into(), |c| format!("({:?}, {:?})", c.get_ref()[0].0, c.get_ref()[1].0));
+    [
+        format!(
+            "{} {} {centre} {}",
+            raw.lemma.get_ref().word(),
+            pair(raw.f.as_ref().map(Spanned::get_ref)),
+            number(&raw.radius)
+        ),
+        format!("{} w {} a {} p {:?}", number(&raw.middle), field(&raw.w), field(&raw.a), raw.p.get_ref()),
+        format!(
+            "cutoff {} {} {} {}",
+            pair(raw.cutoff.as_ref()),
+            list(&raw.switches),
+            list(&raw.singular),
+            list(&raw.breaks)
+        ),
+    ]
+    .join(" ")
 }
 
 fn field(raw: &RawField) -> String {

@@ -1,22 +1,26 @@
-//! The exact solution of a study file: built in by name, or by expressions.
+//! The exact solution of a study file: built in by name, by expressions, or by traces on the contact line.
 
 use super::error::{Fault, refuse};
 use super::field::{INSIDE, expression_fault};
 use super::fixed::Fixed;
 use super::raw::{RawExact, RawField, RawLame};
 use super::shape::point;
+use super::traces::{reach, traces};
 use super::words::suggestion;
 use crate::exact::{self, Exact, Expressions};
-use crate::study::ExactScene;
+use crate::study::{ExactScene, Shape};
 use signorini_contact::Material;
 use signorini_contact::geometry::Segment;
+use signorini_contact::material::Lame;
 use std::collections::BTreeMap;
+use std::ops::Range;
 use std::sync::Arc;
 use toml::Spanned;
 
 /// The exact solution, with the materials of the scene unless the study plants others.
 pub fn exact(
     raw: &Spanned<RawExact>,
+    bodies: &[Shape; 2],
     scene: &[Material; 2],
     parameters: &BTreeMap<String, f64>,
     control: bool,
@@ -34,12 +38,18 @@ pub fn exact(
         }
         Some(m) => planted(m)?,
     };
-    let solution: Arc<dyn Exact> = match (&e.builtin, &e.first, &e.second) {
-        (Some(name), None, None) => built_in(name, e, &materials, parameters)?,
-        (None, Some(first), Some(second)) => Arc::new(expressions(e, [first, second], parameters)?),
+    let solution: Arc<dyn Exact> = match (&e.builtin, &e.first, &e.second, &e.traces) {
+        (Some(name), None, None, None) => built_in(name, e, &materials, parameters)?,
+        (None, Some(first), Some(second), None) => Arc::new(expressions(e, [first, second], parameters)?),
+        (None, None, None, Some(given)) => {
+            no_points_beside(e, given.span(), "[exact.traces]", "give them there, as parameters of the contact line")?;
+            let lame = isotropic(&materials, given.get_ref().lemma.span(), "a lemma")?;
+            Arc::new(traces(given.get_ref(), lame, reach(bodies), parameters)?)
+        }
         _ => {
-            let message = "[exact] needs either `builtin`, or `first` and `second`";
-            return refuse(raw.span(), message, "name a built-in solution, or give the displacement of both bodies");
+            let message = "[exact] needs either `builtin`, or `first` and `second`, or `traces`";
+            let next = "name a built-in solution, or give the displacement of both bodies, or its traces";
+            return refuse(raw.span(), message, next);
         }
     };
     Ok(ExactScene { solution, materials })
@@ -87,14 +97,24 @@ fn built_in(
         let message = format!("no built-in exact solution `{word}`");
         return refuse(name.span(), message, suggestion(word, &names));
     }
-    if !(raw.singular.is_empty() && raw.breaks.is_empty() && raw.switches.is_empty()) {
-        let message = format!("`{word}` knows its own singular points, break lines and switch points");
-        return refuse(name.span(), message, "leave `singular`, `breaks` and `switches` out");
-    }
-    let [Some(first), Some(second)] = [materials[0].lame_constants(), materials[1].lame_constants()] else {
-        let message = format!("`{word}` solves for isotropic bodies only");
-        return refuse(name.span(), message, "give both materials by `lame`, or by `young` and `poisson`");
-    };
-    exact::built_in(word, parameters, [first, second])
+    no_points_beside(raw, name.span(), &format!("`{word}`"), "leave `singular`, `breaks` and `switches` out")?;
+    let lame = isotropic(materials, name.span(), &format!("`{word}`"))?;
+    exact::built_in(word, parameters, lame)
         .map_err(|e| Fault::new(name.span(), e, "give its numbers in [parameters], or in `parameters` of the case"))
+}
+
+/// Refuses `singular`, `breaks` and `switches` of [exact] where the solution has its own.
+fn no_points_beside(raw: &RawExact, place: Range<usize>, owner: &str, next: &str) -> Result<(), Fault> {
+    if raw.singular.is_empty() && raw.breaks.is_empty() && raw.switches.is_empty() {
+        return Ok(());
+    }
+    refuse(place, format!("{owner} knows its own singular points, break lines and switch points"), next)
+}
+
+fn isotropic(materials: &[Material; 2], place: Range<usize>, solver: &str) -> Result<[Lame; 2], Fault> {
+    let [Some(first), Some(second)] = [materials[0].lame_constants(), materials[1].lame_constants()] else {
+        let message = format!("{solver} solves for isotropic bodies only");
+        return refuse(place, message, "give both materials by `lame`, or by `young` and `poisson`");
+    };
+    Ok([first, second])
 }

@@ -2,8 +2,8 @@
 
 use super::number::Finite;
 use super::raw::{
-    Expect, RawBody, RawBoundary, RawCase, RawContact, RawExact, RawExpected, RawFamily, RawGates, RawLevels,
-    RawReference, RawSolver, RawStudy,
+    Expect, RawBody, RawBoundary, RawCase, RawContact, RawCurve, RawDiscretisation, RawExact, RawExpected, RawFamily,
+    RawGates, RawLevels, RawReference, RawSolver, RawStudy,
 };
 use std::collections::BTreeMap;
 use toml::Spanned;
@@ -16,6 +16,8 @@ pub struct Layer<'a> {
     pub body: Option<&'a [Spanned<RawBody>]>,
     pub boundary: Option<&'a [RawBoundary]>,
     pub contact: Option<&'a RawContact>,
+    pub curve: Option<&'a [Spanned<RawCurve>]>,
+    pub discretisation: Option<&'a Spanned<RawDiscretisation>>,
     pub exact: Option<&'a Spanned<RawExact>>,
     pub family: Option<&'a Spanned<RawFamily>>,
     pub levels: Option<&'a RawLevels>,
@@ -35,6 +37,8 @@ macro_rules! layer_of {
             body: $raw.body.as_deref(),
             boundary: $raw.boundary.as_deref(),
             contact: $raw.contact.as_ref(),
+            curve: $raw.curve.as_deref(),
+            discretisation: $raw.discretisation.as_ref(),
             exact: $raw.exact.as_ref(),
             family: $raw.family.as_ref(),
             levels: $raw.levels.as_ref(),
@@ -68,6 +72,8 @@ impl<'a> Layer<'a> {
             body: self.body.or(base.body),
             boundary: self.boundary.or(base.boundary),
             contact: self.contact.or(base.contact),
+            curve: self.curve.or(base.curve),
+            discretisation: self.discretisation.or(base.discretisation),
             exact: self.exact.or(base.exact),
             family: self.family.or(base.family),
             levels: self.levels.or(base.levels),

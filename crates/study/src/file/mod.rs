@@ -8,6 +8,8 @@
 
 mod boundary;
 mod canonical;
+mod curve;
+mod discretisation;
 mod error;
 mod exact;
 mod field;
@@ -25,6 +27,7 @@ mod shape;
 mod shipped;
 #[cfg(test)]
 mod tests;
+mod traces;
 mod words;
 
 pub use error::{Position, StudyError};

@@ -30,6 +30,8 @@ pub struct RawStudy {
     pub body: Option<Vec<Spanned<RawBody>>>,
     pub boundary: Option<Vec<RawBoundary>>,
     pub contact: Option<RawContact>,
+    pub curve: Option<Vec<Spanned<RawCurve>>>,
+    pub discretisation: Option<Spanned<RawDiscretisation>>,
     pub exact: Option<Spanned<RawExact>>,
     pub family: Option<Spanned<RawFamily>>,
     pub levels: Option<RawLevels>,
@@ -51,6 +53,8 @@ pub struct RawCase {
     pub body: Option<Vec<Spanned<RawBody>>>,
     pub boundary: Option<Vec<RawBoundary>>,
     pub contact: Option<RawContact>,
+    pub curve: Option<Vec<Spanned<RawCurve>>>,
+    pub discretisation: Option<Spanned<RawDiscretisation>>,
     pub exact: Option<Spanned<RawExact>>,
     pub family: Option<Spanned<RawFamily>>,
     pub levels: Option<RawLevels>,
@@ -98,6 +102,7 @@ pub struct RawBody {
 pub struct RawBlock {
     pub corners: Spanned<Fixed<RawPoint, 4>>,
     pub divisions: Option<Spanned<Fixed<usize, 2>>>,
+    pub curves: Option<Fixed<Spanned<String>, 4>>,
 }
 
 #[derive(Deserialize)]
@@ -132,6 +137,8 @@ pub struct RawBoundary {
     pub body: Spanned<String>,
     pub name: Spanned<String>,
     pub along: Spanned<Vec<RawPoint>>,
+    #[serde(default)]
+    pub curves: Vec<Spanned<String>>,
     pub condition: Spanned<ConditionName>,
     pub value: Option<Spanned<RawField>>,
 }
@@ -148,7 +155,69 @@ pub enum ConditionName {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct RawContact {
-    pub along: Spanned<Vec<RawPoint>>,
+    pub along: Option<Spanned<Vec<RawPoint>>>,
+    #[serde(default)]
+    pub curves: Vec<Spanned<String>>,
+    pub gap: Option<Spanned<Fixed<Spanned<String>, 2>>>,
+    pub direction: Option<Spanned<RawPoint>>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawCurve {
+    pub name: Spanned<String>,
+    pub circle: Option<Spanned<RawCircle>>,
+    pub graph: Option<Spanned<RawGraph>>,
+    pub through: Option<Spanned<Vec<RawPoint>>>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawCircle {
+    pub centre: RawPoint,
+    pub radius: Finite,
+    pub from: Finite,
+    pub to: Finite,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawGraph {
+    pub xi: Spanned<String>,
+    pub from: Finite,
+    pub to: Finite,
+    pub direction: Option<RawPoint>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawDiscretisation {
+    pub element: Option<ElementName>,
+    pub geometry: Option<GeometryName>,
+    pub normals: Option<NormalsName>,
+    pub skew: Option<Spanned<Finite>>,
+}
+
+#[derive(Clone, Copy, Deserialize, PartialEq)]
+#[serde(rename_all = "kebab-case")]
+pub enum ElementName {
+    Physical,
+    Isoparametric,
+}
+
+#[derive(Clone, Copy, Deserialize, PartialEq)]
+#[serde(rename_all = "kebab-case")]
+pub enum GeometryName {
+    Exact,
+    Chords,
+}
+
+#[derive(Clone, Copy, Deserialize, PartialEq)]
+#[serde(rename_all = "kebab-case")]
+pub enum NormalsName {
+    True,
+    Averaged,
+    Chord,
 }
 
 #[derive(Deserialize)]
@@ -157,6 +226,7 @@ pub struct RawExact {
     pub builtin: Option<Spanned<String>>,
     pub first: Option<RawField>,
     pub second: Option<RawField>,
+    pub traces: Option<Spanned<RawTraces>>,
     #[serde(default)]
     pub singular: Vec<RawPoint>,
     #[serde(default)]
@@ -164,6 +234,45 @@ pub struct RawExact {
     #[serde(default)]
     pub switches: Vec<RawPoint>,
     pub materials: Option<Spanned<Fixed<RawLame, 2>>>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawTraces {
+    pub lemma: Spanned<LemmaName>,
+    pub w: RawField,
+    pub a: RawField,
+    pub p: Spanned<String>,
+    pub f: Option<Spanned<RawField>>,
+    pub centre: Option<Spanned<RawPoint>>,
+    pub radius: Option<Spanned<Finite>>,
+    pub middle: Option<Spanned<Finite>>,
+    pub cutoff: Option<RawField>,
+    #[serde(default)]
+    pub switches: Vec<Finite>,
+    #[serde(default)]
+    pub singular: Vec<Finite>,
+    #[serde(default)]
+    pub breaks: Vec<Finite>,
+}
+
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq)]
+#[serde(rename_all = "kebab-case")]
+pub enum LemmaName {
+    Line,
+    Arc,
+    Graph,
+}
+
+impl LemmaName {
+    /// As it is written in the file.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Line => "line",
+            Self::Arc => "arc",
+            Self::Graph => "graph",
+        }
+    }
 }
 
 #[derive(Deserialize)]

@@ -1,14 +1,15 @@
 //! From the tables of a study file to its cases.
 
 use super::canonical;
+use super::curve::Curves;
 use super::error::{Fault, refuse};
 use super::field::{INSIDE, vector_field};
 use super::layer::Layer;
 use super::raw::{Expect, RawBody, RawStudy};
-use super::{boundary, exact, judge, material, plan, shape, words};
+use super::{boundary, discretisation, exact, judge, material, plan, shape, words};
 use crate::claim::Claim;
 use crate::record::Outcome;
-use crate::study::{Case, ReferencePlan, Scene, Study};
+use crate::study::{Case, ReferencePlan, Scene, Study, Subject};
 use std::collections::BTreeMap;
 use std::ops::Range;
 use std::path::Path;
@@ -68,7 +69,7 @@ fn case(name: &Spanned<String>, layer: Layer<'_>, claim: &Claim) -> Result<Case,
     let mut case = Case {
         name: name.get_ref().clone(),
         notes: notes(&layer, &scene, &reference),
-        scene,
+        subject: Subject::Contact(Box::new(scene)),
         family,
         quick,
         full,
@@ -114,21 +115,24 @@ fn scene(layer: &Layer<'_>, place: &Range<usize>, control: bool) -> Result<Scene
         return refuse(b.name.span(), format!("two bodies named `{}`", b.name.get_ref()), "rename one of them");
     }
     let p = &layer.parameters;
-    let bodies = [shape::shape(first)?, shape::shape(second)?];
+    let curves = Curves::read(layer.curve.unwrap_or_default(), p)?;
+    let bodies = [shape::shape(first, &curves)?, shape::shape(second, &curves)?];
     let materials = [material::material(&a.material)?, material::material(&b.material)?];
     let Some(contact) = layer.contact else {
         let message = "no [contact]: the two bodies never meet";
         return refuse(place.clone(), message, "add [contact] with `along = [[x, y], …]`, the first body on its left");
     };
     let force = |body: &RawBody| body.force.as_ref().map(|f| vector_field(f, &INSIDE, p)).transpose();
+    let contact = boundary::contact(contact, &bodies, &curves, place.clone())?;
     Ok(Scene {
-        parts: boundary::parts(layer.boundary.unwrap_or_default(), &bodies, p)?,
-        contact: boundary::contact(contact, &bodies)?,
+        parts: boundary::parts(layer.boundary.unwrap_or_default(), &bodies, &curves, p)?,
+        discretisation: discretisation::discretisation(layer.discretisation, &contact)?,
+        contact,
         body_force: [force(a)?, force(b)?],
         exact: layer
             .exact
             .filter(|e| !exact::is_none(e.get_ref()))
-            .map(|e| exact::exact(e, &materials, p, control))
+            .map(|e| exact::exact(e, &bodies, &materials, p, control))
             .transpose()?,
         bodies,
         materials,

@@ -1,11 +1,13 @@
 //! Bodies of a study file: quadrilateral blocks.
 
+use super::curve::Curves;
 use super::error::{Fault, refuse};
 use super::fixed::Fixed;
 use super::raw::{RawBlock, RawBody, RawPoint};
 use crate::study::{Block, Shape};
 use signorini_contact::Point;
-use signorini_contact::geometry::{Segment, twice_area};
+use signorini_contact::geometry::{Path, Piece, SharedCurve, twice_area};
+use signorini_contact::mesh::blocks::QuadBlock;
 use std::ops::Range;
 use toml::Spanned;
 
@@ -15,7 +17,7 @@ pub fn point(p: &RawPoint) -> Point {
 }
 
 /// The shape of a body given by a rectangle or by blocks.
-pub fn shape(raw: &Spanned<RawBody>) -> Result<Shape, Fault> {
+pub fn shape(raw: &Spanned<RawBody>, curves: &Curves) -> Result<Shape, Fault> {
     let body = raw.get_ref();
     let blocks = match (&body.rectangle, &body.blocks) {
         (Some(rectangle), None) => vec![rectangle_block(rectangle, body.divisions.as_ref())?],
@@ -24,7 +26,7 @@ pub fn shape(raw: &Spanned<RawBody>) -> Result<Shape, Fault> {
                 let message = "`divisions` of a body belong to its `rectangle`";
                 return refuse(d.span(), message, "give each block its own `divisions`");
             }
-            listed(blocks)?
+            listed(blocks, curves)?
         }
         _ => {
             let message = format!("body `{}` needs either `rectangle` or `blocks`", body.name.get_ref());
@@ -43,17 +45,21 @@ fn rectangle_block(
         let message = format!("rectangle ({}, {}) – ({}, {}) has no area", a.x, a.y, b.x, b.y);
         return refuse(raw.span(), message, "give the lower left corner, then the upper right one");
     }
-    Ok(Block { corners: [a, Point::new(b.x, a.y), b, Point::new(a.x, b.y)], divisions: divisions(split)? })
+    Ok(Block {
+        corners: [a, Point::new(b.x, a.y), b, Point::new(a.x, b.y)],
+        divisions: divisions(split)?,
+        curves: Default::default(),
+    })
 }
 
-fn listed(raw: &Spanned<Vec<RawBlock>>) -> Result<Vec<Block>, Fault> {
+fn listed(raw: &Spanned<Vec<RawBlock>>, curves: &Curves) -> Result<Vec<Block>, Fault> {
     if raw.get_ref().is_empty() {
         return refuse(raw.span(), "a body without blocks", "give at least one block");
     }
-    raw.get_ref().iter().map(block).collect()
+    raw.get_ref().iter().map(|b| block(b, curves)).collect()
 }
 
-fn block(raw: &RawBlock) -> Result<Block, Fault> {
+fn block(raw: &RawBlock, curves: &Curves) -> Result<Block, Fault> {
     let corners = raw.corners.get_ref().each_ref().map(point);
     for i in 0..4 {
         // A convex quadrilateral turns left at every corner; only then its bilinear map folds nowhere.
@@ -64,7 +70,13 @@ fn block(raw: &RawBlock) -> Result<Block, Fault> {
             return refuse(raw.corners.span(), message, "give four corners of a convex block, counterclockwise");
         }
     }
-    Ok(Block { corners, divisions: divisions(raw.divisions.as_ref())? })
+    let mut sides: [Option<SharedCurve>; 4] = Default::default();
+    if let Some(names) = &raw.curves {
+        for (k, name) in names.0.iter().enumerate() {
+            sides[k] = curves.between(name, [corners[k], corners[(k + 1) % 4]])?;
+        }
+    }
+    Ok(Block { corners, divisions: divisions(raw.divisions.as_ref())?, curves: sides })
 }
 
 fn divisions(raw: Option<&Spanned<Fixed<usize, 2>>>) -> Result<[usize; 2], Fault> {
@@ -77,7 +89,7 @@ fn divisions(raw: Option<&Spanned<Fixed<usize, 2>>>) -> Result<[usize; 2], Fault
 }
 
 /// A polyline of at least two different points whose corners lie on sides of `shape`'s blocks.
-pub fn polyline(raw: &Spanned<Vec<RawPoint>>, shapes: &[&Shape]) -> Result<Vec<Point>, Fault> {
+fn polyline(raw: &Spanned<Vec<RawPoint>>, shapes: &[&Shape]) -> Result<Vec<Point>, Fault> {
     let points: Vec<Point> = raw.get_ref().iter().map(point).collect();
     if points.len() < 2 {
         let message = format!("a polyline of {} point(s)", points.len());
@@ -93,7 +105,25 @@ pub fn polyline(raw: &Spanned<Vec<RawPoint>>, shapes: &[&Shape]) -> Result<Vec<P
     Ok(points)
 }
 
-fn on_sides(points: &[Point], shape: &Shape, span: Range<usize>) -> Result<(), Fault> {
+/// A path of straight segments and curves whose corners lie on sides of the shapes' blocks.
+pub fn path(
+    along: &Spanned<Vec<RawPoint>>,
+    names: &[Spanned<String>],
+    curves: &Curves,
+    shapes: &[&Shape],
+) -> Result<Path, Fault> {
+    let corners = polyline(along, shapes)?;
+    if let Some(extra) = names.get(corners.len() - 1) {
+        let message = format!("{} curves for {} segments", names.len(), corners.len() - 1);
+        return refuse(extra.span(), message, "name at most one curve for each segment; \"\" is straight");
+    }
+    let curve = |(k, name): (usize, &Spanned<String>)| curves.between(name, [corners[k], corners[k + 1]]);
+    let named: Result<Vec<_>, Fault> = names.iter().enumerate().map(curve).collect();
+    Ok(Path { curves: named?, corners })
+}
+
+/// Refuses a point that lies on no side of the body.
+pub fn on_sides(points: &[Point], shape: &Shape, span: Range<usize>) -> Result<(), Fault> {
     let size = shape.blocks.iter().map(|b| (b.corners[2] - b.corners[0]).norm()).fold(0.0, f64::max);
     let off = |p: &Point| shape.blocks.iter().flat_map(sides).all(|s| s.distance(*p) > 1e-9 * size);
     match points.iter().find(|p| off(p)) {
@@ -105,6 +135,7 @@ fn on_sides(points: &[Point], shape: &Shape, span: Range<usize>) -> Result<(), F
     }
 }
 
-fn sides(block: &Block) -> [Segment; 4] {
-    std::array::from_fn(|i| Segment { a: block.corners[i], b: block.corners[(i + 1) % 4] })
+fn sides(block: &Block) -> [Piece; 4] {
+    let quad = QuadBlock { corners: block.corners, cells: [1, 1], curves: block.curves.clone() };
+    [0, 1, 2, 3].map(|k| quad.side(k))
 }

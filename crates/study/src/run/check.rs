@@ -3,7 +3,7 @@
 use super::{Profile, verify_exact};
 use crate::error::RunError;
 use crate::family;
-use crate::study::{Case, ReferencePlan};
+use crate::study::{Case, ReferencePlan, Scene, Subject};
 use signorini_contact::problem::Problem;
 
 /// A level before it is solved.
@@ -34,9 +34,10 @@ pub struct CheckedLevel {
 /// # Errors
 /// As [`run_case`](super::run_case).
 pub fn check_case(case: &Case, profile: Profile) -> Result<Vec<CheckedLevel>, RunError> {
-    verify_exact(case)?;
+    let Subject::Contact(scene) = &case.subject;
+    verify_exact(case, scene)?;
     let cells = if profile == Profile::Quick { &case.quick } else { &case.full };
-    let levels: Result<Vec<_>, _> = (0..cells.len()).map(|index| check_level(case, cells, index)).collect();
+    let levels: Result<Vec<_>, _> = (0..cells.len()).map(|index| check_level(case, scene, cells, index)).collect();
     if let ReferencePlan::Overkill { .. } = case.reference
         && !case.family.is_nested()
     {
@@ -48,10 +49,8 @@ pub fn check_case(case: &Case, profile: Profile) -> Result<Vec<CheckedLevel>, Ru
     levels
 }
 
-fn check_level(case: &Case, cells: &[usize], index: usize) -> Result<CheckedLevel, RunError> {
-    let scene = &case.scene;
-    let meshed =
-        family::build_level(&case.family, &scene.bodies, &scene.part_outlines(), &scene.contact, cells, index)?;
+fn check_level(case: &Case, scene: &Scene, cells: &[usize], index: usize) -> Result<CheckedLevel, RunError> {
+    let meshed = family::build_level(&case.family, &scene.domain(), cells, index)?;
     let supports = scene.supports();
     let cubature = scene.cubature(0, case.fixed_quadrature);
     let mesh = meshed.hierarchy.finest();

@@ -1,11 +1,12 @@
 //! What happens on the contact zone: pressure, penetration, contact set and switch points of a discrete solution.
 
 use crate::study::ExactScene;
-use signorini_contact::geometry::{Point, Segment, Vec2};
+use signorini_contact::geometry::{Piece, Point, Vec2};
 use signorini_contact::mesh::Mesh;
+use signorini_contact::mesh::side::ContactView;
 use signorini_contact::problem::{Discrete, Solution};
 use signorini_contact::quadrature::Cubature;
-use signorini_contact::zone::{Zone, side_length};
+use signorini_contact::zone::side_length;
 
 /// A constraint is active when its force exceeds this share of the largest.
 const ACTIVE: f64 = 1e-8;
@@ -16,8 +17,8 @@ pub struct ContactState {
     pub pressure: Vec<[f64; 2]>,
     /// Whether the two ends are active.
     pub active: Vec<[bool; 2]>,
-    /// `[u_h]_n` at the two ends.
-    pub jump: Vec<[f64; 2]>,
+    /// `‖([u_h]_n − ε)_+‖` squared, side by side.
+    penetration: Vec<f64>,
     /// Number of active constraints.
     pub active_constraints: usize,
 }
@@ -33,7 +34,7 @@ impl ContactState {
         Self {
             pressure: zone.side_ends.iter().map(|ends| ends.map(pressure)).collect(),
             active: zone.side_ends.iter().map(|ends| ends.map(|e| is_active(force(e)))).collect(),
-            jump: jumps(mesh, zone, &solution.displacement),
+            penetration: (0..mesh.contact.len()).map(|side| penetration(mesh, side, &solution.displacement)).collect(),
             active_constraints: solution.raw.multipliers.iter().filter(|l| is_active(**l)).count(),
         }
     }
@@ -45,23 +46,27 @@ impl ContactState {
 
     /// Where contact switches on or off: a node owns its half sides, so the middles of the sides with one active end.
     pub fn switch_points(&self, mesh: &Mesh) -> Vec<Point> {
-        let middle = |side: usize| mesh.contact[side].first.iter().map(|&i| 0.5 * mesh.points[i as usize]).sum();
+        let middle = |side: usize| mesh.contact_view(side).at(0.5).at[0];
         (0..self.active.len()).filter(|&side| self.active[side][0] != self.active[side][1]).map(middle).collect()
     }
 
-    /// `‖([u_h]_n)_+‖_{0,Γ_K}`: the jump is linear on a side, so the positive part integrates in closed form.
-    pub fn penetration(&self, mesh: &Mesh) -> f64 {
-        let square = |(side, jump): (usize, &[f64; 2])| side_length(mesh, side) * positive_square(*jump);
-        self.jump.iter().enumerate().map(square).sum::<f64>().sqrt()
+    /// `‖([u_h]_n − ε)_+‖_{0,Γ_K}`.
+    pub fn penetration(&self) -> f64 {
+        self.penetration.iter().sum::<f64>().sqrt()
     }
 }
 
-/// `[v]_n = n·(v' − v'')` at the two ends of every contact side.
-pub fn jumps(mesh: &Mesh, zone: &Zone, v: &[Vec2]) -> Vec<[f64; 2]> {
-    let of_side = |(side, n): (&signorini_contact::mesh::ContactSide, &Vec2)| {
-        [0, 1].map(|end| n.dot(&(v[side.first[end] as usize] - v[side.second[end] as usize])))
-    };
-    mesh.contact.iter().zip(&zone.side_normals).map(of_side).collect()
+/// `∫ ([u_h]_n − ε)_+² dμ` over a side: in closed form where the jump is linear, by quadrature elsewhere.
+fn penetration(mesh: &Mesh, side: usize, u: &[Vec2]) -> f64 {
+    let view = mesh.contact_view(side);
+    if mesh.direction.is_none() && matches!(view.sides[0].piece, Piece::Straight(_)) {
+        return view.measure() * positive_square([0.0, 1.0].map(|t| view.jump(t, &view.at(t), u)));
+    }
+    let mut square = 0.0;
+    view.points(&Cubature { depth: 3, ..Default::default() }, &mut |t, point, weight| {
+        square += weight * (view.jump(t, point, u) - point.gap).max(0.0).powi(2);
+    });
+    square
 }
 
 /// `∫_0^1 (linear from a to b)_+² ds`.
@@ -92,13 +97,7 @@ pub struct ContactErrors {
 }
 
 /// Measures the discrete zone against the exact solution.
-pub fn against_exact(
-    exact: &ExactScene,
-    mesh: &Mesh,
-    zone: &Zone,
-    state: &ContactState,
-    cubature: &Cubature,
-) -> ContactErrors {
+pub fn against_exact(exact: &ExactScene, mesh: &Mesh, state: &ContactState, cubature: &Cubature) -> ContactErrors {
     let switches = exact.solution.switch_points();
     let mut errors = ContactErrors {
         pressure: 0.0,
@@ -107,38 +106,40 @@ pub fn against_exact(
         switch_sides: 0,
         switch_position: farthest(&switches, &state.switch_points(mesh)),
     };
-    for (side, &normal) in zone.side_normals.iter().enumerate() {
-        let ends = mesh.contact[side].first.map(|i| mesh.points[i as usize]);
-        let length = side_length(mesh, side);
-        let along = Segment { a: ends[0], b: ends[1] };
-        let square = pressure_error(exact, &along, normal, state.pressure[side], cubature);
+    for side in 0..mesh.contact.len() {
+        let view = mesh.contact_view(side);
+        let (length, piece) = (view.measure(), &view.sides[0].piece);
+        let square = pressure_error(exact, &view, state.pressure[side], cubature);
         errors.pressure += square;
         errors.pressure_dual += length * square;
         let inside: Vec<f64> = switches
             .iter()
-            .filter(|p| along.distance(**p) < 1e-9 * length)
-            .map(|p| along.parameter(*p))
+            .filter(|p| piece.distance(**p) < 1e-9 * length)
+            .map(|p| piece.foot(*p))
             .filter(|s| (1e-9..=1.0 - 1e-9).contains(s))
             .collect();
         errors.switch_sides += usize::from(!inside.is_empty());
-        let closed = |x: Point| {
-            exact.jump(x, normal) >= -1e-14 * exact.solution.value(signorini_contact::Body::First, x).norm().max(1e-3)
-        };
-        errors.contact_set +=
-            length * wrong_share(&inside, state.active[side], |s| closed(ends[0] + s * (ends[1] - ends[0])));
+        let closed = |t: f64| is_closed(exact, &view, t);
+        errors.contact_set += length * wrong_share(&inside, state.active[side], closed);
     }
     errors.pressure = errors.pressure.sqrt();
     errors.pressure_dual = errors.pressure_dual.sqrt();
     errors
 }
 
-/// `∫ (p − p_h)² ds` over a side with the discrete pressure at its two ends.
-fn pressure_error(exact: &ExactScene, side: &Segment, normal: Vec2, [p0, p1]: [f64; 2], cubature: &Cubature) -> f64 {
+/// Whether the exact solution is in contact at the share `t` of a side, to rounding.
+fn is_closed(exact: &ExactScene, view: &ContactView, t: f64) -> bool {
+    let point = view.at(t);
+    let size = exact.solution.value(signorini_contact::Body::First, point.at[0]).norm();
+    exact.opening(&point) >= -1e-14 * size.max(point.gap).max(1e-3)
+}
+
+/// `∫ (p − p_h)² dμ` over a side with the discrete pressure at its two ends.
+fn pressure_error(exact: &ExactScene, view: &ContactView, [p0, p1]: [f64; 2], cubature: &Cubature) -> f64 {
     let mut square = 0.0;
-    cubature.side(side.a, side.b, &mut |x, w| {
-        let s = side.parameter(x);
-        let difference = -exact.contact_stress(x, normal) - ((1.0 - s) * p0 + s * p1);
-        square += w * difference * difference;
+    view.points(cubature, &mut |t, point, weight| {
+        let difference = -exact.contact_stress(point) - ((1.0 - t) * p0 + t * p1);
+        square += weight * difference * difference;
     });
     square
 }

@@ -11,13 +11,14 @@ mod reference;
 pub mod timing;
 #[cfg(test)]
 mod twins;
+mod zone_ledger;
 
 use crate::error::RunError;
 use crate::exact::verify;
 use crate::rate;
 use crate::record::{Level, Reference, SCHEMA, StudyRecord};
 use crate::reference::overkill::Overkill;
-use crate::study::{Case, ReferencePlan, Study};
+use crate::study::{Case, ReferencePlan, Scene, Study, Subject};
 use crate::verdict::{self, JudgeInput};
 pub use check::{CheckedLevel, check_case};
 use level::Task;
@@ -107,9 +108,10 @@ pub fn each_case<T: Send>(
 /// # Errors
 /// Meaningless input: an exact solution that breaks its contact conditions, a load without equilibrium, …
 pub fn run_case(study: &Study, case: &Case, settings: &RunSettings, watch: &dyn Watch) -> Result<CaseRun, RunError> {
-    verify_exact(case)?;
+    let Subject::Contact(scene) = &case.subject;
+    verify_exact(case, scene)?;
     let cells = cells_of(case, settings);
-    let task = Task { case, cells, settings: solver_settings(case, settings), constrain: Zone::new };
+    let task = Task { case, scene, cells, settings: solver_settings(case, settings), constrain: Zone::new };
     let partial = Partial::open(study, case, settings, &task)?;
     let overkill = solve_reference(&task, settings)?;
     if overkill.is_some() {
@@ -147,8 +149,8 @@ fn solver_settings(case: &Case, settings: &RunSettings) -> Settings {
 
 /// Pointwise verification of the exact solution, before any mesh. A solution built for other materials is a planted
 /// defect and is verified in its own.
-fn verify_exact(case: &Case) -> Result<(), RunError> {
-    let Some(exact) = &case.scene.exact else {
+fn verify_exact(case: &Case, scene: &Scene) -> Result<(), RunError> {
+    let Some(exact) = &scene.exact else {
         return if case.reference == ReferencePlan::Exact {
             Err(RunError::Study(format!(
                 "case '{}' measures against an exact solution, but its scene has none; add [exact] or set reference = \"overkill\"",
@@ -158,7 +160,7 @@ fn verify_exact(case: &Case) -> Result<(), RunError> {
             Ok(())
         };
     };
-    verify::verify(exact.solution.as_ref(), &exact.materials, &case.scene.contact.clone().into())
+    verify::verify(exact.solution.as_ref(), &exact.materials, &scene.contact)
         .map(|_| ())
         .map_err(|e| RunError::Exact(e.to_string()))
 }
@@ -176,7 +178,7 @@ fn reference_cells(case: &Case, settings: &RunSettings) -> Option<usize> {
 }
 
 fn measure_level(task: &Task, overkill: Option<&Overkill>, index: usize) -> Result<(Level, LevelTimes), RunError> {
-    match (&task.case.reference, overkill, &task.case.scene.exact) {
+    match (&task.case.reference, overkill, &task.scene.exact) {
         (ReferencePlan::Exact, _, Some(exact)) => task.against_exact(exact, index),
         (ReferencePlan::Overkill { .. }, Some(reference), _) => {
             let at = reference::place_in_hierarchy(task, reference, index)?;

@@ -114,7 +114,8 @@ mod tests {
         let case = &study.cases[0];
         let partial = Some(root.0.clone());
         let settings = RunSettings { profile: Profile::Quick, levels: None, solver: None, partial };
-        let task = Task { case, cells, settings: case.solver, constrain: signorini_contact::zone::Zone::new };
+        let scene = case.scene().unwrap();
+        let task = Task { case, scene, cells, settings: case.solver, constrain: signorini_contact::zone::Zone::new };
         Partial::open(&study, case, &settings, &task).unwrap()
     }
 

@@ -101,17 +101,23 @@ impl Frame {
         Ok(())
     }
 
-    /// The node numbers of block `number`, row by row; new nodes are appended to `points`.
-    pub fn number_nodes(&mut self, number: usize, block: &QuadBlock, points: &mut Vec<Point>) -> Vec<u32> {
-        let [nx, ny] = block.cells;
+    /// The node numbers of block `number`, row by row; new nodes are appended to `points`, `place(i, j)` says where.
+    pub fn number_nodes(
+        &mut self,
+        number: usize,
+        cells: [usize; 2],
+        place: &dyn Fn(usize, usize) -> Point,
+        points: &mut Vec<Point>,
+    ) -> Vec<u32> {
+        let [nx, ny] = cells;
         let mut nodes = Vec::with_capacity((nx + 1) * (ny + 1));
         for j in 0..=ny {
             for i in 0..=nx {
                 let mut append = || {
-                    points.push(block.node(i, j));
+                    points.push(place(i, j));
                     points.len() as u32 - 1
                 };
-                nodes.push(match self.shared(number, block.cells, i, j) {
+                nodes.push(match self.shared(number, cells, i, j) {
                     Some(slot) => *slot.get_or_insert_with(append),
                     None => append(),
                 });

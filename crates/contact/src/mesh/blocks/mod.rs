@@ -1,4 +1,4 @@
-//! Triangulations of bodies made of quadrilateral blocks.
+//! Triangulations of bodies made of quadrilateral blocks, whose sides may follow curves.
 //!
 //! ```text
 //!   3 ------ 2     Cell (i, j) has the lower left node (i, j); i runs along 0 → 1, j along 0 → 3.
@@ -11,7 +11,7 @@ mod frame;
 
 use super::triangulation::{Triangulation, at, mesh_error};
 use crate::Error;
-use crate::geometry::{Point, twice_area};
+use crate::geometry::{Piece, Point, Segment, SharedCurve, twice_area};
 use frame::Frame;
 
 /// How each cell is cut into triangles.
@@ -25,25 +25,39 @@ pub enum Pattern {
     UnionJack,
 }
 
-/// A convex quadrilateral and its division into cells.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// A quadrilateral with convex corners and its division into cells.
+#[derive(Clone, Debug, PartialEq)]
 pub struct QuadBlock {
     /// Corners, counterclockwise.
     pub corners: [Point; 4],
     /// Cells along `0 → 1` and along `0 → 3`; at least 1.
     pub cells: [usize; 2],
+    /// The curve of side `k`, from corner `k` to corner `k + 1`, or none where it is straight. Nodes divide it evenly in its
+    /// parameter.
+    pub curves: [Option<SharedCurve>; 4],
 }
 
 impl QuadBlock {
-    /// The node `(i, j)`: the bilinear image of `(s, t) = (i / cells[0], j / cells[1])`.
-    fn node(&self, i: usize, j: usize) -> Point {
-        self.bilinear(i as f64 / self.cells[0] as f64, j as f64 / self.cells[1] as f64)
+    /// A block with straight sides.
+    pub fn straight(corners: [Point; 4], cells: [usize; 2]) -> Self {
+        Self { corners, cells, curves: Default::default() }
+    }
+
+    /// Side `k`, from corner `k` to corner `k + 1`.
+    pub fn side(&self, k: usize) -> Piece {
+        let (a, b) = (self.corners[k], self.corners[(k + 1) % 4]);
+        self.curves[k].as_ref().map_or(Piece::Straight(Segment { a, b }), |curve| Piece::on_curve(curve, a, b))
     }
 
     fn bilinear(&self, s: f64, t: f64) -> Point {
         let [a, b, c, d] = self.corners;
         // x = (1−s)(1−t) a + s(1−t) b + s t c + (1−s) t d
         (1.0 - s) * (1.0 - t) * a + s * (1.0 - t) * b + s * t * c + (1.0 - s) * t * d
+    }
+
+    fn map(&self) -> BlockMap<'_> {
+        let curved = self.curves.iter().any(Option::is_some);
+        BlockMap { block: self, sides: curved.then(|| [0, 1, 2, 3].map(|k| self.side(k))) }
     }
 
     fn check(&self, number: usize) -> Result<(), Error> {
@@ -74,6 +88,39 @@ impl QuadBlock {
     }
 }
 
+/// The map of the unit square onto a block.
+struct BlockMap<'a> {
+    block: &'a QuadBlock,
+    /// Its sides, if one of them is curved.
+    sides: Option<[Piece; 4]>,
+}
+
+impl BlockMap<'_> {
+    /// The node `(i, j)`: the image of `(s, t) = (i / cells[0], j / cells[1])`.
+    fn node(&self, i: usize, j: usize) -> Point {
+        let [nx, ny] = self.block.cells;
+        self.at(i as f64 / nx as f64, j as f64 / ny as f64)
+    }
+
+    /// Bilinear, plus for each curved side its departure from the chord, fading towards the side opposite.
+    fn at(&self, s: f64, t: f64) -> Point {
+        let place = self.block.bilinear(s, t);
+        let Some(sides) = &self.sides else { return place };
+        // side k: its own parameter, how near (s, t) is to it
+        let shares = [(s, 1.0 - t), (t, s), (1.0 - s, t), (1.0 - t, 1.0 - s)];
+        (0..4).fold(place, |x, k| {
+            let (along, near) = shares[k];
+            let (a, b) = (self.block.corners[k], self.block.corners[(k + 1) % 4]);
+            match &sides[k] {
+                Piece::Straight(_) => x,
+                // exactly on the curve, whatever the bilinear part was rounded to
+                curved if near == 1.0 => curved.point(along),
+                curved => x + near * (curved.point(along) - ((1.0 - along) * a + along * b)),
+            }
+        })
+    }
+}
+
 /// Triangulates the blocks of one body and glues them where they share whole sides. Blocks are numbered from 0.
 ///
 /// Nodes are numbered block by block, row by row (`j` by `j`), shared ones where they come first; the centres of a criss-cross
@@ -93,13 +140,14 @@ pub fn triangulate(blocks: &[QuadBlock], pattern: Pattern) -> Result<Triangulati
     let mut frame = Frame::new(blocks)?;
     let mut mesh = Triangulation::default();
     for (number, block) in blocks.iter().enumerate() {
-        let nodes = frame.number_nodes(number, block, &mut mesh.points);
-        let add: fn(&mut Triangulation, &QuadBlock, &[u32]) = match pattern {
+        let map = block.map();
+        let nodes = frame.number_nodes(number, block.cells, &|i, j| map.node(i, j), &mut mesh.points);
+        let add: fn(&mut Triangulation, &BlockMap, &[u32]) = match pattern {
             Pattern::Structured => add_structured,
             Pattern::CrissCross => add_criss_cross,
             Pattern::UnionJack => add_union_jack,
         };
-        add(&mut mesh, block, &nodes);
+        add(&mut mesh, &map, &nodes);
     }
     Ok(mesh)
 }
@@ -127,14 +175,14 @@ fn cells<'a>(block: &QuadBlock, nodes: &'a [u32]) -> impl Iterator<Item = (usize
     })
 }
 
-fn add_structured(mesh: &mut Triangulation, block: &QuadBlock, nodes: &[u32]) {
-    for (_, _, [a, b, c, d]) in cells(block, nodes) {
+fn add_structured(mesh: &mut Triangulation, map: &BlockMap, nodes: &[u32]) {
+    for (_, _, [a, b, c, d]) in cells(map.block, nodes) {
         mesh.triangles.extend([[a, b, c], [a, c, d]]);
     }
 }
 
-fn add_union_jack(mesh: &mut Triangulation, block: &QuadBlock, nodes: &[u32]) {
-    for (i, j, [a, b, c, d]) in cells(block, nodes) {
+fn add_union_jack(mesh: &mut Triangulation, map: &BlockMap, nodes: &[u32]) {
+    for (i, j, [a, b, c, d]) in cells(map.block, nodes) {
         mesh.triangles.extend(match (i + j) % 2 {
             0 => [[a, b, c], [a, c, d]],
             _ => [[a, b, d], [b, c, d]],
@@ -142,11 +190,11 @@ fn add_union_jack(mesh: &mut Triangulation, block: &QuadBlock, nodes: &[u32]) {
     }
 }
 
-fn add_criss_cross(mesh: &mut Triangulation, block: &QuadBlock, nodes: &[u32]) {
-    for (i, j, [a, b, c, d]) in cells(block, nodes) {
+fn add_criss_cross(mesh: &mut Triangulation, map: &BlockMap, nodes: &[u32]) {
+    for (i, j, [a, b, c, d]) in cells(map.block, nodes) {
         let m = mesh.points.len() as u32;
-        let [nx, ny] = block.cells.map(|n| n as f64);
-        mesh.points.push(block.bilinear((i as f64 + 0.5) / nx, (j as f64 + 0.5) / ny));
+        let [nx, ny] = map.block.cells.map(|n| n as f64);
+        mesh.points.push(map.at((i as f64 + 0.5) / nx, (j as f64 + 0.5) / ny));
         mesh.triangles.extend([[a, b, m], [b, c, m], [c, d, m], [d, a, m]]);
     }
 }

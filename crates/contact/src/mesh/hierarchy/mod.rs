@@ -18,7 +18,7 @@
 mod template;
 
 use super::sides::{Sides, side_nodes};
-use super::{BoundarySide, ContactSide, Mesh};
+use super::{BoundarySide, ContactSide, CurvedSide, CurvedSides, Mesh};
 use crate::Vec2;
 use template::{Midpoint, Template};
 
@@ -68,7 +68,8 @@ impl Hierarchy {
         &self.parents[level]
     }
 
-    /// Adds a level: every triangle in four, every boundary and contact side in two. Linear time.
+    /// Adds a level: every triangle in four, every boundary and contact side in two, new nodes of curved sides on their curves.
+    /// Linear time.
     pub fn refine(&mut self) {
         let refiner = Refiner::new(self);
         let (fine, parents) = refiner.refine();
@@ -122,6 +123,11 @@ impl<'a> Refiner<'a> {
         let mut points = Vec::with_capacity(mesh.points.len() + parents.len());
         points.extend_from_slice(&mesh.points);
         append_midpoints(&mut points, &parents);
+        for side in &mesh.curved.sides {
+            let curve = &mesh.curved.curves[usize::from(side.curve)];
+            let middle = self.midpoint(side.triangle as usize, usize::from(side.apex));
+            points[middle as usize] = curve.point(0.5 * (side.span[0] + side.span[1]));
+        }
         let mut node_bodies = mesh.node_bodies.clone();
         node_bodies.extend(parents.iter().map(|&[a, _]| mesh.node_bodies[a as usize]));
         let fine = Mesh {
@@ -132,6 +138,8 @@ impl<'a> Refiner<'a> {
             sides: mesh.sides.iter().flat_map(|s| self.halves(s)).collect(),
             parts: mesh.parts.clone(),
             contact: (0..mesh.contact.len()).flat_map(|c| self.contact_halves(c)).collect(),
+            curved: self.curved_halves(),
+            direction: mesh.direction,
         };
         (fine, parents)
     }
@@ -199,8 +207,32 @@ impl<'a> Refiner<'a> {
         let coarse = self.hierarchy.levels[0].contact[macro_side];
         let first = self.on_macro_side(n, coarse.first, piece);
         let second = self.on_macro_side(m, coarse.second, piece);
-        let half = |f, s| ContactSide { first: f, second: s, segment: side.segment };
-        [half([side.first[0], first], [side.second[0], second]), half([first, side.first[1]], [second, side.second[1]])]
+        // The half at a node belongs to the child at the triangle's corner there.
+        let child = |t: u32, node| 4 * t + position(self.mesh.triangles[t as usize], node) as u32;
+        let half = |f, s, end: usize| ContactSide {
+            first: f,
+            second: s,
+            triangles: [child(side.triangles[0], side.first[end]), child(side.triangles[1], side.second[end])],
+            segment: side.segment,
+        };
+        [
+            half([side.first[0], first], [side.second[0], second], 0),
+            half([first, side.first[1]], [second, side.second[1]], 1),
+        ]
+    }
+
+    /// Children keep the order of the corners, so the halves lie opposite the same corner as their parent.
+    fn curved_halves(&self) -> CurvedSides {
+        let mut fine = CurvedSides { sides: Vec::new(), ..self.mesh.curved.clone() };
+        for side in &self.mesh.curved.sides {
+            let ([from, to], apex) = (side.span, u32::from(side.apex));
+            let middle = 0.5 * (from + to);
+            let half = |corner, span| CurvedSide { triangle: 4 * side.triangle + (apex + corner) % 3, span, ..*side };
+            let mut halves = [half(1, [from, middle]), half(2, [middle, to])];
+            halves.sort_by_key(|h| h.triangle);
+            fine.sides.extend(halves);
+        }
+        fine
     }
 }
 

@@ -66,10 +66,10 @@ fn glued_blocks_fill_their_body() {
 
 #[test]
 fn bad_blocks_are_named() {
-    let good = square([0.0, 0.0], 2);
+    let good = || square([0.0, 0.0], 2);
     let refused = [
         (vec![], "needs at least one block"),
-        (vec![good, block([[1.0, 0.0], [1.0, 1.0], [2.0, 1.0], [2.0, 0.0]], [2, 2])], "block 1 runs clockwise"),
+        (vec![good(), block([[1.0, 0.0], [1.0, 1.0], [2.0, 1.0], [2.0, 0.0]], [2, 2])], "block 1 runs clockwise"),
         (
             vec![block([[0.0, 0.0], [1.0, 0.0], [0.2, 0.2], [0.0, 1.0]], [1, 1])],
             "block 0 is not convex: at its corner 2, (0.2, 0.2)",
@@ -79,13 +79,13 @@ fn bad_blocks_are_named() {
             "block 0 is not convex: at its corner 1, (1, 0)",
         ),
         (vec![block([[0.0, 0.0], [1.0, f64::NAN], [1.0, 1.0], [0.0, 1.0]], [1, 1])], "block 0 is not convex"),
-        (vec![good, square([1.0, 0.0], 0)], "block 1 is divided into 0 × 0 cells"),
+        (vec![good(), square([1.0, 0.0], 0)], "block 1 is divided into 0 × 0 cells"),
         (
-            vec![good, square([1.0, 0.0], 3)],
+            vec![good(), square([1.0, 0.0], 3)],
             "blocks 0 and 1 share the side from (1, 0) to (1, 1) but divide it into 2 and 3 cells",
         ),
         (
-            vec![good, square([1.0, 0.5], 2)],
+            vec![good(), square([1.0, 0.5], 2)],
             "the corner (1, 0.5) of block 1 lies within the side of block 0 from (1, 0) to (1, 1)",
         ),
         (vec![square([0.0, 0.0], 1 << 20)], "cells together"),

@@ -138,7 +138,7 @@ fn refined_meshes_pass_all_checks_again() {
         let scene = kinked(1, pattern);
         let hierarchy = refined(scene.clone().build().unwrap(), 3);
         for mesh in hierarchy.levels() {
-            let again = Mesh::build(split(mesh), &scene.parts, &scene.contact).unwrap();
+            let again = Mesh::build(split(mesh), &scene.parts, &scene.contact.clone().into()).unwrap();
             let place = |m: &Mesh, i: u32| [m.points[i as usize].x.to_bits(), m.points[i as usize].y.to_bits()];
             let sides = |m: &Mesh| -> BTreeMap<_, _> {
                 let side = |s: &crate::mesh::BoundarySide| (s.nodes.map(|i| place(m, i)), (s.triangle, s.part));

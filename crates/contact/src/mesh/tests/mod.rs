@@ -23,7 +23,7 @@ pub struct Scene {
 
 impl Scene {
     pub fn build(self) -> Result<Mesh, Error> {
-        Mesh::build(self.bodies, &self.parts, &self.contact)
+        Mesh::build(self.bodies, &self.parts, &self.contact.into())
     }
 }
 
@@ -32,11 +32,11 @@ pub fn points<const N: usize>(xy: [[f64; 2]; N]) -> [Point; N] {
 }
 
 pub fn block(corners: [[f64; 2]; 4], cells: [usize; 2]) -> QuadBlock {
-    QuadBlock { corners: points(corners), cells }
+    QuadBlock::straight(points(corners), cells)
 }
 
 pub fn part<const N: usize>(body: Body, name: &str, along: [[f64; 2]; N]) -> PartOutline {
-    PartOutline { body, name: name.into(), along: points(along).to_vec() }
+    PartOutline { body, name: name.into(), along: points(along).to_vec().into() }
 }
 
 pub fn square(low: [f64; 2], n: usize) -> QuadBlock {

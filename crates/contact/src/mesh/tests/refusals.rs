@@ -63,15 +63,17 @@ fn parts_that_do_not_fit() {
         s.parts.push(part(Body::First, "cut", [[0.0, 0.5], [1.0, 0.5]]));
     });
     refuse(&["(0.7, 1) of part \"top\"", "not a node on the boundary of Ω'", "nearest is node 7", "2.000e-1"], |s| {
-        s.parts[0].along[1].x = 0.7;
+        s.parts[0].along.corners[1].x = 0.7;
     });
     refuse(&["part \"top\" has the length 1.5", "have 1;"], |s| {
-        s.parts[0].along.push(points([[0.5, 1.0]])[0]);
+        s.parts[0].along.corners.push(points([[0.5, 1.0]])[0]);
     });
     refuse(&["Ω' has two parts named \"top\""], |s| s.parts[1].name = "top".into());
-    refuse(&["part \"top\" of Ω' has 1 points"], |s| s.parts[0].along.truncate(1));
-    refuse(&["part \"rest\" of Ω''", "segment of length 0"], |s| s.parts[3].along[1] = s.parts[3].along[0]);
-    refuse(&["part \"rest\" of Ω''", "segment of length NaN"], |s| s.parts[3].along[1].x = f64::NAN);
+    refuse(&["part \"top\" of Ω' has 1 points"], |s| s.parts[0].along.corners.truncate(1));
+    refuse(&["part \"rest\" of Ω''", "segment of length 0"], |s| {
+        s.parts[3].along.corners[1] = s.parts[3].along.corners[0]
+    });
+    refuse(&["part \"rest\" of Ω''", "segment of length NaN"], |s| s.parts[3].along.corners[1].x = f64::NAN);
 }
 
 #[test]
@@ -83,7 +85,7 @@ fn contact_zones_that_do_not_fit() {
     refuse(&["Ω' lies on the wrong side", "(1, 0)", "reverse the polyline"], |s| s.contact.reverse());
     refuse(&["Ω'' lies on the wrong side", "both bodies lie on its left"], |s| {
         s.bodies[1] = s.bodies[0].clone();
-        s.parts[3].along.iter_mut().for_each(|p| p.y = -p.y);
+        s.parts[3].along.corners.iter_mut().for_each(|p| p.y = -p.y);
     });
 }
 

@@ -40,7 +40,7 @@ pub(super) const ENTRIES: &[Entry] = &[
     },
     Entry {
         id: "theorem-3-3",
-        standing: Standing::NotYet,
+        standing: Standing::Landed,
         statement: "|u − u_h| ≤ c(u) h^{3/4}",
         hypotheses: &[
             "Γ_K one concave or convex C³ arc, elements linear in the physical coordinates",
@@ -56,7 +56,7 @@ pub(super) const ENTRIES: &[Entry] = &[
     },
     Entry {
         id: "remark-3-4",
-        standing: Standing::NotYet,
+        standing: Standing::Landed,
         statement: "‖u_h‖_1 stays bounded though K_h ⊄ K",
         hypotheses: &["a condition that holds on every K_h: coercivity on K is not enough"],
         kind: ClaimKind::Bounded,

@@ -7,7 +7,7 @@ use crate::record::ClaimKind;
 pub(super) const ENTRIES: &[Entry] = &[
     Entry {
         id: "theorem-3-4",
-        standing: Standing::NotYet,
+        standing: Standing::Landed,
         statement: "|u − u_h| ≤ c(u) h with isoparametric elements along both graphs",
         hypotheses: &[
             "f', f'' ∈ C²",

@@ -1,9 +1,10 @@
 //! Names and function calls.
 
 use super::super::ExprError;
+use super::super::build::folded;
 use super::super::functions::{CONSTANTS, Callable, FUNCTIONS};
 use super::super::tree::{Condition, Node};
-use super::{Item, Parsed, Parser, folded, raised};
+use super::{Item, Parsed, Parser, raised};
 use crate::nearest::nearest;
 
 impl Parser<'_> {

@@ -3,6 +3,7 @@
 mod calls;
 
 use super::ExprError;
+use super::build::folded;
 use super::lexer::{Token, tokens};
 use super::tree::{Condition, Node, Relation};
 use std::collections::BTreeMap;
@@ -278,11 +279,6 @@ impl Parser<'_> {
 fn raised(base: Node, exponent: Node) -> Node {
     let constant = base.constant().is_some() && exponent.constant().is_some();
     folded(Node::Power(Box::new(base), Box::new(exponent)), constant)
-}
-
-/// A node whose operands are constants becomes a constant.
-fn folded(node: Node, constant: bool) -> Node {
-    if constant { Node::Constant(node.eval::<f64>(&[])) } else { node }
 }
 
 fn describe(token: &Token) -> String {

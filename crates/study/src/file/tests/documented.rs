@@ -15,7 +15,7 @@ fn the_example_parses() {
     let study = Study::parse(example(), Path::new("pressed-block.toml")).unwrap_or_else(|e| panic!("{e}"));
     assert_eq!(study.claim.kind, ClaimKind::Rate);
     assert_eq!(study.cases.len(), 2);
-    let fixed = |c: &crate::study::Case| matches!(c.scene.parts[0].condition, PartCondition::Fixed(_));
+    let fixed = |c: &crate::study::Case| matches!(c.scene().unwrap().parts[0].condition, PartCondition::Fixed(_));
     assert!(study.cases.iter().all(fixed));
 }
 
@@ -30,7 +30,12 @@ fn every_field_is_documented() {
         "[body.material.orthotropic]",
         "[[boundary]]",
         "[contact]",
+        "[[curve]]",
+        "[curve.circle]",
+        "[curve.graph]",
+        "[discretisation]",
         "[exact]",
+        "[exact.traces]",
         "[family]",
         "[levels]",
         "[reference]",
@@ -40,7 +45,11 @@ fn every_field_is_documented() {
         "[[case]]",
     ];
     for table in tables {
-        let head = if table.starts_with("[body.") { "[[body]]\n" } else { "" };
+        let head = match table {
+            t if t.starts_with("[body.") => "[[body]]\n",
+            t if t.starts_with("[curve.") => "[[curve]]\n",
+            _ => "",
+        };
         let text = format!("{head}{table}\nno_such_field = 1\n");
         let e = Study::parse(&text, Path::new("x.toml")).err().unwrap();
         let fields: Vec<&str> = e.message.split('`').skip(3).step_by(2).collect();

@@ -4,3 +4,4 @@ mod documented;
 mod malformed;
 mod resolved;
 mod shipped;
+mod traces;

@@ -19,13 +19,13 @@ fn defaults_are_the_documented_ones() {
     assert_eq!(c.reference, ReferencePlan::Overkill { quick: 256, full: 1024 });
     assert_eq!((c.quick.as_slice(), c.full.as_slice()), (&[8, 16, 32, 64][..], &[8, 16, 32, 64, 128][..]));
     assert_eq!(study.claim.id, "theorem-3-1");
-    assert!(matches!(c.scene.parts[0].condition, PartCondition::Fixed(None)));
-    assert!(c.scene.body_force[1].is_none() && c.scene.exact.is_none());
+    assert!(matches!(c.scene().unwrap().parts[0].condition, PartCondition::Fixed(None)));
+    assert!(c.scene().unwrap().body_force[1].is_none() && c.scene().unwrap().exact.is_none());
 }
 
 #[test]
 fn expressions_become_functions_of_point_and_normal() {
-    let scene = &parse(GOOD).cases[0].scene;
+    let scene = parse(GOOD).cases[0].scene().unwrap().clone();
     let force = scene.body_force[0].as_ref().unwrap();
     assert_eq!(force(Point::new(0.5, 0.1), Point::zeros()), Point::new(0.0, 0.5f64.sin()));
     let PartCondition::Traction(Some(p)) = &scene.parts[1].condition else { panic!("no traction") };
@@ -39,7 +39,8 @@ fn parameters_of_a_case_win_over_those_of_the_study() {
         .replacen("[levels]", "[parameters]\na = 1\nb = 2\n[levels]", 1)
         .replacen("name = \"two\"", "name = \"two\"\nparameters = { b = 10 }", 1);
     let study = parse(&text);
-    let at = |i: usize| study.cases[i].scene.body_force[0].as_ref().unwrap()(Point::zeros(), Point::zeros()).y;
+    let at =
+        |i: usize| study.cases[i].scene().unwrap().body_force[0].as_ref().unwrap()(Point::zeros(), Point::zeros()).y;
     assert_eq!((at(0), at(1)), (3.0, 11.0));
     assert_eq!(study.cases[1].parameters["b"], 10.0);
 }
@@ -51,7 +52,7 @@ fn an_exact_solution_by_expressions_is_differentiated() {
     let study = parse(&GOOD.replacen("[levels]", exact, 1));
     let c = &study.cases[0];
     assert_eq!(c.reference, ReferencePlan::Exact, "the default where there is an exact solution");
-    let solution = &c.scene.exact.as_ref().unwrap().solution;
+    let solution = &c.scene().unwrap().exact.as_ref().unwrap().solution;
     let [first, second] = signorini_contact::Body::BOTH.map(|b| solution.jet(b, Point::new(2.0, 3.0)));
     assert_eq!((first.value, first.gradient), (Point::new(6.0, 9.0), [[3.0, 2.0], [0.0, 6.0]]));
     assert_eq!(second.gradient, [[0.0, 0.0], [4.0, 0.0]]);

@@ -106,8 +106,8 @@ fn overkill_cases_measure_against_finer_meshes() {
 fn every_scene_can_be_meshed_and_its_angles_are_not_small() {
     for study in shipped().sources.iter().map(|s| s.load().unwrap()) {
         for c in &study.cases {
-            let (scene, cells) = (&c.scene, &c.quick[..1]);
-            let level = build_level(&c.family, &scene.bodies, &scene.part_outlines(), &scene.contact, cells, 0)
+            let (scene, cells) = (c.scene().unwrap(), &c.quick[..1]);
+            let level = build_level(&c.family, &scene.domain(), cells, 0)
                 .unwrap_or_else(|e| panic!("{} {}: {e}", study.id, c.name));
             assert!(level.quality.min_angle > 10.0, "{} {}: {}°", study.id, c.name, level.quality.min_angle);
         }
@@ -120,9 +120,9 @@ fn corner_patches_press_on_both_flanks() {
     let study = load("corner-patch");
     assert_eq!(study.claim.kind, ClaimKind::Exact);
     for c in &study.cases {
-        let exact = c.scene.exact.as_ref().unwrap();
-        assert_eq!(c.scene.contact[1], Point::new(0.0, 0.0));
-        for w in c.scene.contact.windows(2) {
+        let exact = c.scene().unwrap().exact.as_ref().unwrap();
+        assert_eq!(c.scene().unwrap().contact.corners()[1], Point::new(0.0, 0.0));
+        for w in c.scene().unwrap().contact.corners().windows(2) {
             // Ω' on the left of the polyline, so its outward normal is on the right.
             let n = right_normal(w[0], w[1]);
             let x = 0.3 * w[0] + 0.7 * w[1];
@@ -135,7 +135,7 @@ fn corner_patches_press_on_both_flanks() {
 #[test]
 fn two_squares_has_its_published_load() {
     let study = load("two-squares");
-    let scene = &study.cases[0].scene;
+    let scene = study.cases[0].scene().unwrap();
     let top = scene.parts.iter().find(|p| p.name == "top").unwrap();
     let crate::study::PartCondition::Traction(Some(load)) = &top.condition else { panic!("no load on the top") };
     let t = load(Point::new(0.4, 1.0), Point::new(0.0, 1.0));
@@ -153,7 +153,7 @@ fn controls_plant_their_defects_and_say_what_they_expect() {
         assert_eq!(expect(id), Some(Outcome::Inconclusive), "{id}");
     }
     let wrong = &load("wrong-mu").cases[0];
-    assert_ne!(wrong.scene.materials[1], wrong.scene.exact.as_ref().unwrap().materials[1]);
+    assert_ne!(wrong.scene().unwrap().materials[1], wrong.scene().unwrap().exact.as_ref().unwrap().materials[1]);
     assert_eq!(load("same-mesh-twice").cases[0].quick, [16; 5]);
     assert_eq!(load("too-few-levels").cases[0].full.len(), 3);
     assert!(load("fixed-quadrature").cases[0].fixed_quadrature);
@@ -215,6 +215,6 @@ fn the_constant_of_many_switches_is_that_of_one_cell() {
 #[test]
 fn a_case_may_take_the_exact_solution_back() {
     let study = shipped().select(&["lemma-2-1".into()]).unwrap()[0].load().unwrap();
-    let has_exact = |name: &str| study.cases.iter().find(|c| c.name == name).unwrap().scene.exact.is_some();
+    let has_exact = |name: &str| study.cases.iter().find(|c| c.name == name).unwrap().scene().unwrap().exact.is_some();
     assert!(has_exact("structured") && has_exact("perturbed") && !has_exact("kinked"));
 }

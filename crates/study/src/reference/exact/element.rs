@@ -1,12 +1,13 @@
 //! One triangle: what it contributes, by a rule that is refined where it does not resolve the solution.
 
+use super::curved::CurvedPart;
 use crate::exact::derived;
 use crate::study::{ExactScene, Scene, VectorField};
-use signorini_contact::element::{displacement_gradient, gradients, hats};
+use signorini_contact::element::{CurvedTriangle, displacement_gradient, gradients, hats};
 use signorini_contact::material::{Material, contract, strain};
 use signorini_contact::mesh::Mesh;
 use signorini_contact::norm::Squares;
-use signorini_contact::quadrature::{Cubature, conical_points, quarter, seven_points};
+use signorini_contact::quadrature::{Cubature, Patch, conical_points, quarter, seven_points};
 use signorini_contact::{Body, Vec2};
 use std::ops::AddAssign;
 
@@ -40,17 +41,19 @@ pub struct ElementIntegrand<'a> {
     material: &'a Material,
     given_force: Option<&'a VectorField>,
     corners: [Vec2; 3],
+    curved: Option<CurvedTriangle<'a>>,
     nodal: [Vec2; 3],
     linear: [[f64; 2]; 2],
 }
 
 impl<'a> ElementIntegrand<'a> {
-    pub fn new(scene: &'a Scene, exact: &'a ExactScene, mesh: &Mesh, interpolant: &[Vec2], t: usize) -> Self {
+    pub fn new(scene: &'a Scene, exact: &'a ExactScene, mesh: &'a Mesh, interpolant: &[Vec2], t: usize) -> Self {
         let (body, corners) = (mesh.body(t), mesh.corners(t));
         let nodal = mesh.triangles[t].map(|i| interpolant[i as usize]);
         let linear = displacement_gradient(&gradients(corners).0, nodal);
         let given_force = scene.body_force[body.index()].as_ref();
-        Self { exact, body, material: &scene.materials[body.index()], given_force, corners, nodal, linear }
+        let (material, curved) = (&scene.materials[body.index()], mesh.curved_triangle(t));
+        Self { exact, body, material, given_force, corners, curved, nodal, linear }
     }
 
     /// The rule on every piece, without splitting.
@@ -91,6 +94,49 @@ impl<'a> ElementIntegrand<'a> {
         }
     }
 
+    /// The same for a triangle with a curved side, patch by patch; its one rule is rich already.
+    pub fn adaptively_curved(&self, cubature: &Cubature, share: f64, deepest: u32) -> [CurvedPart; 2] {
+        let mut pair = [CurvedPart::default(); 2];
+        if let Some(triangle) = &self.curved {
+            cubature.patches(triangle, &mut |patch| {
+                self.split_curved(triangle, patch, &self.over_patch(triangle, patch), share, deepest, &mut pair);
+            });
+        }
+        pair
+    }
+
+    fn split_curved(
+        &self,
+        triangle: &CurvedTriangle,
+        patch: Patch,
+        coarse: &CurvedPart,
+        share: f64,
+        deepest: u32,
+        pair: &mut [CurvedPart; 2],
+    ) {
+        let parts = patch.quarter().map(|q| self.over_patch(triangle, q));
+        let mut fine = CurvedPart::default();
+        parts.iter().for_each(|p| fine += *p);
+        if deepest > 0 && self.is_rough(&coarse.element, &fine.element, share) {
+            for (quarter, part) in patch.quarter().into_iter().zip(&parts) {
+                self.split_curved(triangle, quarter, part, 0.25 * share, deepest - 1, pair);
+            }
+        } else {
+            pair[0] += *coarse;
+            pair[1] += fine;
+        }
+    }
+
+    fn over_patch(&self, triangle: &CurvedTriangle, patch: Patch) -> CurvedPart {
+        let mut part = CurvedPart::default();
+        triangle.points_within(patch.rho, patch.tau, &mut |p, weight| {
+            let linear = p.gradient(&self.nodal);
+            let grad_w = self.add(p.x, weight, &p.hats, &linear, &mut part.element);
+            part.add_moments(p, weight, &grad_w);
+        });
+        part
+    }
+
     /// Whether one refinement still changed the interpolation error or the loads by more than their shares.
     fn is_rough(&self, coarse: &Element, fine: &Element, share: f64) -> bool {
         let whole = fine.interpolation.energy + share;
@@ -113,13 +159,17 @@ impl<'a> ElementIntegrand<'a> {
     }
 
     fn add_point(&self, x: Vec2, weight: f64, sums: &mut Element) {
+        self.add(x, weight, &hats(self.corners, x), &self.linear, sums);
+    }
+
+    /// Adds a point with the values of the hat functions and the gradient of `u_I` there; gives back `∇w`.
+    fn add(&self, x: Vec2, weight: f64, hat: &[f64; 3], linear: &[[f64; 2]; 2], sums: &mut Element) -> [[f64; 2]; 2] {
         let jet = self.exact.solution.jet2(self.body, x);
         let derive = || derived::body_force_of(&jet, &self.exact.materials[self.body.index()]);
         let force = self.given_force.map_or_else(derive, |f| f(x, Vec2::zeros()));
-        let hat = hats(self.corners, x);
         let u_i: Vec2 = (0..3).map(|k| hat[k] * self.nodal[k]).sum();
         let w = jet.value - u_i;
-        let grad_w = std::array::from_fn(|i| std::array::from_fn(|j| jet.gradient[i][j] - self.linear[i][j]));
+        let grad_w = std::array::from_fn(|i| std::array::from_fn(|j| jet.gradient[i][j] - linear[i][j]));
         add_scaled(&mut sums.mean, weight, &grad_w);
         for k in 0..3 {
             sums.moments[k] += weight * hat[k] * w;
@@ -128,6 +178,7 @@ impl<'a> ElementIntegrand<'a> {
         sums.work += weight * force.dot(&jet.value);
         sums.interpolation.add(self.body, self.material, weight, w, grad_w);
         sums.solution.add(self.body, self.material, weight, jet.value, jet.gradient);
+        grad_w
     }
 }
 

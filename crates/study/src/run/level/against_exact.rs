@@ -4,9 +4,12 @@ use super::parts::{differences, dual_norm, ledger, relative_difference, set_erro
 use super::{Solved, Task};
 use crate::record::{Budget, Ledger, Level};
 use crate::reference::exact::Integrals;
-use crate::run::contact::{self, ContactErrors};
+use crate::run::contact::ContactErrors;
+use crate::run::zone_ledger::ZoneLedger;
+use crate::study::ExactScene;
 use signorini_contact::mesh::Mesh;
 use signorini_contact::norm::Squares;
+use signorini_contact::quadrature::Cubature;
 use signorini_contact::{Vec2, qp};
 
 /// Everything that turns a solved level into errors against the exact solution.
@@ -15,13 +18,15 @@ pub(super) struct ExactMeasurement<'a> {
     pub mesh: &'a Mesh,
     pub base: &'a Integrals,
     pub fine: &'a Integrals,
+    pub exact: &'a ExactScene,
+    pub cubature: &'a Cubature,
     pub interpolant: &'a [Vec2],
     pub solved: &'a Solved,
 }
 
 impl ExactMeasurement<'_> {
     pub fn fill(&self, level: &mut Level, contact: &ContactErrors) {
-        let materials = &self.task.case.scene.materials;
+        let materials = &self.task.scene.materials;
         let (discrete, solution) = (&self.solved.discrete, &self.solved.solution);
         let d = differences(self.interpolant, &solution.displacement);
         let (base, fine) = (self.base.error(self.mesh, materials, &d), self.fine.error(self.mesh, materials, &d));
@@ -52,15 +57,17 @@ impl ExactMeasurement<'_> {
         let u = &self.solved.solution.displacement;
         let work: f64 = with.load.iter().zip(u).map(|(f, u)| f.dot(u)).sum();
         let energy = 0.5 * self.solved.solution.strain_energy - work;
-        2.0 * (energy - with.energy) - 2.0 * with.contact_work(&self.solved.state.jump) - 2.0 * with.reaction_work(u)
+        2.0 * (energy - with.energy) - 2.0 * with.contact_work(u) - 2.0 * with.reaction_work(u)
     }
 
-    /// Theorem 3.1: `½A(e,e) ≤ ½A(u−u_I, u−u_I) + ∫ T_n [u_I]_n ds`.
+    /// `½A(e,e) ≤ a + b + c` with `a = ½A(u−u_I, u−u_I)`, `b = ∫ T ([u_I]_n − ε) dμ`; `c` and the parts depend on the zone.
     fn ledger(&self, base: &Squares, fine: &Squares) -> Ledger {
-        let jump = contact::jumps(self.mesh, &self.solved.discrete.zone, self.interpolant);
-        let (b, b_base) = (self.fine.contact_work(&jump), self.base.contact_work(&jump));
-        let a = [self.base, self.fine].map(|i| 0.5 * i.interpolation.energy);
-        let delta = 0.5 * (fine.energy - base.energy).abs() + (a[1] - a[0]).abs() + (b - b_base).abs();
-        ledger(0.5 * fine.energy, a[1], b, delta, self.fine.solution.energy)
+        let [b_base, b] = [self.base, self.fine].map(|i| i.contact_work(self.interpolant));
+        let [a_base, a] = [self.base, self.fine].map(|i| 0.5 * i.interpolation.energy);
+        let zone =
+            ZoneLedger::new(self.exact, self.mesh, self.interpolant, &self.solved.solution.displacement, self.cubature);
+        let change = 0.5 * (fine.energy - base.energy).abs() + (a - a_base).abs() + (b - b_base).abs();
+        let ledger = ledger(0.5 * fine.energy, [a, b, zone.c], change + zone.delta, self.fine.solution.energy);
+        Ledger { parts: zone.parts, ..ledger }
     }
 }

@@ -18,7 +18,7 @@ impl Task<'_> {
         solved: &Solved,
         coarse_load: &[Vec2],
     ) {
-        let materials = &self.case.scene.materials;
+        let materials = &self.scene.materials;
         let (discrete, solution) = (&solved.discrete, &solved.solution);
         let fine_mesh = reference.hierarchy.finest();
         let v = reference.prolong(at, &solution.displacement);
@@ -38,8 +38,12 @@ impl Task<'_> {
         let load_gap = (work(&discrete.load, &solution.displacement) - work(&reference.discrete.load, &v)).abs();
         let load_change = dual_norm(discrete, &differences(&discrete.load, coarse_load));
         let delta = load_gap + 1e-14 * reference.solution.strain_energy;
-        level.ledger =
-            Some(ledger(0.5 * error.energy, 0.5 * interpolation.energy, b, delta, reference.solution.strain_energy));
+        level.ledger = Some(ledger(
+            0.5 * error.energy,
+            [0.5 * interpolation.energy, b, 0.0],
+            delta,
+            reference.solution.strain_energy,
+        ));
         let (e, size) = (error.energy_norm(), reference.solution.strain_energy.sqrt());
         level.budget = Budget {
             algebraic: share(qp::algebraic_error(&discrete.qp, &solution.raw.x, &solution.raw.multipliers), e, size),

@@ -13,7 +13,7 @@ use crate::family::{self, Level as MeshLevel};
 use crate::record::{Budget, Errors, Kkt, Level, SolverRecord};
 use crate::reference::exact::Pair;
 use crate::reference::overkill::Overkill;
-use crate::study::{Case, ExactScene};
+use crate::study::{Case, ExactScene, Scene};
 use against_exact::ExactMeasurement;
 use signorini_contact::mesh::Mesh;
 use signorini_contact::problem::{Discrete, Problem, Solution, Support};
@@ -34,6 +34,8 @@ struct Solved {
 pub struct Task<'a> {
     /// The case.
     pub case: &'a Case,
+    /// Its scene.
+    pub scene: &'a Scene,
     /// Cells of every level, coarsest first.
     pub cells: &'a [usize],
     /// Solver settings, the study's or the command line's.
@@ -45,15 +47,7 @@ pub struct Task<'a> {
 impl Task<'_> {
     /// The mesh of a level.
     fn mesh(&self, index: usize) -> Result<MeshLevel, RunError> {
-        let scene = &self.case.scene;
-        Ok(family::build_level(
-            &self.case.family,
-            &scene.bodies,
-            &scene.part_outlines(),
-            &scene.contact,
-            self.cells,
-            index,
-        )?)
+        Ok(family::build_level(&self.case.family, &self.scene.domain(), self.cells, index)?)
     }
 
     /// Measures a level against the exact solution.
@@ -64,18 +58,25 @@ impl Task<'_> {
         watch.lap(|t| &mut t.mesh);
         let interpolant: Vec<Vec2> =
             mesh.points.iter().zip(&mesh.node_bodies).map(|(x, body)| exact.solution.value(*body, *x)).collect();
-        let zone = Zone::new(mesh);
         let fixed = self.case.fixed_quadrature;
-        let Pair { base, fine } = Pair::new(&self.case.scene, exact, mesh, &zone, &interpolant, fixed);
-        let cubature = self.case.scene.cubature(1, fixed);
-        let supports = self.case.scene.supports();
+        let Pair { base, fine } = Pair::new(self.scene, exact, mesh, &interpolant, fixed);
+        let cubature = self.scene.cubature(1, fixed);
+        let supports = self.scene.supports();
         let problem = self.problem(mesh, &supports, &cubature);
         let discrete = problem.discretise_zone(fine.load.clone(), (self.constrain)(mesh))?;
         watch.lap(|t| &mut t.assembly);
         let solved = self.solve(&problem, discrete, &mut watch);
-        let measured =
-            ExactMeasurement { task: self, mesh, base: &base, fine: &fine, interpolant: &interpolant, solved: &solved };
-        let contact = contact::against_exact(exact, mesh, &solved.discrete.zone, &solved.state, &cubature);
+        let measured = ExactMeasurement {
+            task: self,
+            mesh,
+            base: &base,
+            fine: &fine,
+            exact,
+            cubature: &cubature,
+            interpolant: &interpolant,
+            solved: &solved,
+        };
+        let contact = contact::against_exact(exact, mesh, &solved.state, &cubature);
         let mut level = self.level(index, &meshed, &solved);
         measured.fill(&mut level, &contact);
         watch.lap(|t| &mut t.error);
@@ -93,11 +94,11 @@ impl Task<'_> {
         let meshed = self.mesh(index)?;
         let mesh = meshed.hierarchy.finest();
         watch.lap(|t| &mut t.mesh);
-        let supports = self.case.scene.supports();
-        let cubature = self.case.scene.cubature(0, self.case.fixed_quadrature);
+        let supports = self.scene.supports();
+        let cubature = self.scene.cubature(0, self.case.fixed_quadrature);
         let fine = cubature.finer();
         let problem = self.problem(mesh, &supports, &fine);
-        let coarse_load = assembly::loads(mesh, &supports, &self.case.scene, &cubature)?;
+        let coarse_load = assembly::loads(mesh, &supports, self.scene, &cubature)?;
         let discrete = problem.discretise()?;
         watch.lap(|t| &mut t.assembly);
         let solved = self.solve(&problem, discrete, &mut watch);
@@ -113,8 +114,8 @@ impl Task<'_> {
         let meshed = self.mesh(index)?;
         let mesh = meshed.hierarchy.finest();
         watch.lap(|t| &mut t.mesh);
-        let supports = self.case.scene.supports();
-        let cubature = self.case.scene.cubature(1, self.case.fixed_quadrature);
+        let supports = self.scene.supports();
+        let cubature = self.scene.cubature(1, self.case.fixed_quadrature);
         let problem = self.problem(mesh, &supports, &cubature);
         let discrete = problem.discretise()?;
         watch.lap(|t| &mut t.assembly);
@@ -126,15 +127,8 @@ impl Task<'_> {
     /// Solves the reference on the finest mesh of a hierarchy.
     pub fn overkill(&self, cells: usize) -> Result<(Overkill, LevelTimes), RunError> {
         let mut watch = Stopwatch::start();
-        let scene = &self.case.scene;
-        let hierarchy = family::build_reference(
-            &self.case.family,
-            &scene.bodies,
-            &scene.part_outlines(),
-            &scene.contact,
-            self.cells,
-            cells,
-        )?;
+        let scene = self.scene;
+        let hierarchy = family::build_reference(&self.case.family, &scene.domain(), self.cells, cells)?;
         watch.lap(|t| &mut t.mesh);
         let supports = scene.supports();
         let cubature = scene.cubature(0, self.case.fixed_quadrature);
@@ -153,7 +147,7 @@ impl Task<'_> {
     }
 
     fn problem<'b>(&'b self, mesh: &'b Mesh, supports: &'b [Support], cubature: &'b Cubature) -> Problem<'b> {
-        let scene = &self.case.scene;
+        let scene = self.scene;
         Problem { mesh, materials: scene.materials, supports, data: scene, cubature }
     }
 
@@ -199,7 +193,7 @@ impl Task<'_> {
             solution_trace: Some(largest_component(&solution.displacement) * zone_length(finest).sqrt()),
             two_way: None,
             mesh_hash: meshed.hash.clone(),
-            errors: Errors { penetration_l2: Some(state.penetration(finest)), ..Default::default() },
+            errors: Errors { penetration_l2: Some(state.penetration()), ..Default::default() },
             ledger: None,
             kkt: certificate(discrete, solution),
             budget: Budget::default(),

@@ -10,8 +10,8 @@ use signorini_contact::problem::Discrete;
 /// Below this share of `A(u,u)` a squared error is rounding, and a relative difference of it means nothing.
 const ROUNDING: f64 = 1e-12;
 
-pub(super) fn ledger(lhs: f64, a: f64, b: f64, delta: f64, solution: f64) -> Ledger {
-    let excess = lhs - (a + b + 1e-14 * solution);
+pub(super) fn ledger(lhs: f64, [a, b, c]: [f64; 3], delta: f64, solution: f64) -> Ledger {
+    let excess = lhs - (a + b + c + 1e-14 * solution);
     let holds = if excess <= delta {
         Some(true)
     } else if excess <= 10.0 * delta {
@@ -19,7 +19,7 @@ pub(super) fn ledger(lhs: f64, a: f64, b: f64, delta: f64, solution: f64) -> Led
     } else {
         Some(false)
     };
-    Ledger { lhs, a, b, c: 0.0, delta, holds }
+    Ledger { lhs, a, b, c, parts: Default::default(), delta, holds }
 }
 
 pub(super) fn set_errors(

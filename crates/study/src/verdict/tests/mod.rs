@@ -55,5 +55,5 @@ fn expect(verdict: &Verdict, outcome: Outcome, word: &str) {
 }
 
 fn ledger(lhs: f64, b: f64, holds: Option<bool>) -> Option<Ledger> {
-    Some(Ledger { lhs, a: 0.5, b, c: 0.0, delta: 1e-9, holds })
+    Some(Ledger { lhs, a: 0.5, b, c: 0.0, parts: Default::default(), delta: 1e-9, holds })
 }

@@ -1,4 +1,10 @@
-//! The linear triangle: gradients of its hat functions and its stiffness.
+//! The linear triangle: gradients of its hat functions and its stiffness. Triangles with a curved side are in [`curved`].
+
+pub mod curved;
+mod isoparametric;
+mod physical;
+
+pub use curved::{CurvedElement, CurvedTriangle, ElementPoint};
 
 use crate::geometry::{Point, Vec2, twice_area};
 use crate::material::{Material, Sym2, strain};
@@ -48,7 +54,10 @@ pub fn stiffness_block(material: &Material, area: f64, gi: Vec2, gj: Vec2) -> [f
 }
 
 #[cfg(test)]
-mod tests {
+mod tests;
+
+#[cfg(test)]
+mod linear {
     use super::*;
     use crate::material::{Plane, contract};
 
