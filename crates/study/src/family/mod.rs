@@ -9,6 +9,7 @@
 
 use signorini_contact::mesh::blocks::Pattern;
 
+pub mod delaunay;
 mod level;
 mod perturb;
 mod random;
