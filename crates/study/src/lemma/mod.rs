@@ -24,8 +24,8 @@ use crate::record::{Budget, Errors, Kkt, Level, SolverRecord};
 use boundary::BoundaryFunction;
 use domain::Domain;
 use inverse::Intervals;
-use mesh::DomainMesh;
-use signorini_contact::mesh::{Quality, fnv1a};
+use mesh::{DomainMesh, Quality};
+use signorini_contact::mesh::fnv1a;
 
 /// What a lemma's case measures.
 #[derive(Clone, Debug)]
