@@ -70,7 +70,7 @@ impl Trust {
 }
 
 /// Every norm, in the order of tables and legends.
-pub const NORMS: [Norm; 13] = [
+pub const NORMS: [Norm; 14] = [
     errors_field!("strain", "strain", "|u−uₕ|", strain),
     errors_field!("energy", "energy", "√A(e,e)", energy),
     errors_field!("h1", "H¹", "‖u−uₕ‖₁", h1),
@@ -83,6 +83,7 @@ pub const NORMS: [Norm; 13] = [
     errors_field!("interpolation", "interpolation", "√A(u−u_I,u−u_I)", interpolation),
     errors_field!("boundary_l2", "boundary L²", "‖u−u_I‖₀ on ∂Ω", boundary_l2),
     errors_field!("constant", "constant", "c", constant),
+    Norm { key: "solution_h1", words: "size of the solution", symbol: "‖uₕ‖₁", value: |l| l.solution_h1 },
     Norm { key: "b_over_h2", words: "constant", symbol: "b/h²", value: b_over_h2 },
 ];
 
