@@ -153,6 +153,9 @@ pub struct Level {
     pub excluded: Option<String>,
     /// `‖u‖_A = √A(u,u)` of the reference, or of `u_h` where there is none: what makes an error rounding.
     pub solution_energy: Option<f64>,
+    /// `‖u_h‖_1`, both bodies together: what Remarks 3.4 to 3.6 ask to be bounded. Not in records of older runs.
+    #[serde(default)]
+    pub solution_h1: Option<f64>,
     /// `max |u_h|` over the nodes times the square root of the length of `Γ_K`: the scale of `penetration_l2`.
     pub solution_trace: Option<f64>,
 }

@@ -51,6 +51,7 @@ pub(crate) fn level(k: usize, error: f64) -> Level {
         warnings: Vec::new(),
         excluded: None,
         solution_energy: Some(1.0),
+        solution_h1: None,
         solution_trace: Some(1.0),
     }
 }

@@ -165,6 +165,7 @@ fn level(k: usize, errors: impl Fn(f64) -> Errors) -> Level {
         warnings: Vec::new(),
         excluded: None,
         solution_energy: Some(1.0),
+        solution_h1: None,
         solution_trace: Some(1.0),
     }
 }

@@ -33,7 +33,7 @@ macro_rules! error {
 }
 
 /// Every quantity, in the order of tables and legends.
-pub const QUANTITIES: [Quantity; 13] = [
+pub const QUANTITIES: [Quantity; 14] = [
     error!("strain", "strain", "|u−uₕ|", strain),
     error!("energy", "energy", "√A(e,e)", energy),
     error!("h1", "H¹", "‖u−uₕ‖₁", h1),
@@ -46,6 +46,9 @@ pub const QUANTITIES: [Quantity; 13] = [
     error!("interpolation", "interpolation", "√A(u−u_I,u−u_I)", interpolation),
     error!("boundary_l2", "boundary L²", "‖u−u_I‖₀ on ∂Ω", boundary_l2),
     error!("constant", "constant", "c", constant),
+    Quantity {
+        key: "solution_h1", words: "size of the solution", symbol: "‖uₕ‖₁", value: |level| level.solution_h1
+    },
     Quantity { key: "b_over_h2", words: "constant", symbol: "b/h²", value: b_over_h2 },
 ];
 

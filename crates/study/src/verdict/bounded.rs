@@ -12,9 +12,10 @@ use crate::record::{Level, Verdict};
 /// Fewest levels that show boundedness.
 const MIN_LEVELS: usize = 3;
 
-/// The constant of the given name on a level: `b_over_h2` is `|b|/h²` of the ledger, any other name an error's own size.
+/// The constant of the given name on a level: `b_over_h2` is `|b|/h²` of the ledger, `solution_h1` is `‖u_h‖_1`, any other name an error's own size.
 pub fn constant(level: &Level, norm: &str) -> Option<f64> {
     match norm {
+        "solution_h1" => level.solution_h1,
         "b_over_h2" => level.ledger.as_ref().map(|t| t.b.abs() / (level.h * level.h)),
         _ => level.errors.size(norm),
     }
