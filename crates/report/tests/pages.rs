@@ -76,13 +76,14 @@ fn a_number_that_is_none_is_refused_and_named() {
 #[test]
 fn page_answers_in_the_order_of_the_questions() {
     let record = common::healthy();
-    let page = markdown::page(&record, markdown::Pictures { rates: true, ledger: true });
+    let page = markdown::page(&record, markdown::Pictures { rates: true, ledger: true, parts: false });
     let order = [
         "# Two blocks in flat contact",
         "**pass**",
         "## Question",
         "## Claim",
         "|u − u_h| ≤ c h",
+        "Hypotheses: u ∈ H²; regular family.",
         "| paper | 1 |",
         "| **observed** | 1.000 | 0.996 | 1.004 |",
         "## Set-up",

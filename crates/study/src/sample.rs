@@ -70,6 +70,7 @@ pub(crate) fn record(study: &str, case: &str, levels: Vec<Level>) -> StudyRecord
         parameters: [("k".to_string(), 3.0)].into(),
         claim: "theorem-3-1".into(),
         statement: "|u − u_h| ≤ c h".into(),
+        hypotheses: vec!["regular family".into()],
         kind: ClaimKind::Rate,
         norm: "strain".into(),
         family: "structured".into(),

@@ -6,6 +6,7 @@
 //! largest is held against the smallest; if some values vanish that ratio says nothing, and the verdict is inconclusive.
 
 use super::{JudgeInput, fail, inconclusive, ledger, pass};
+use crate::claim::quantity::in_words;
 use crate::record::{Level, Verdict};
 
 /// Fewest levels that show boundedness.
@@ -34,10 +35,10 @@ pub(super) fn judge(input: &JudgeInput) -> Verdict {
     let smallest = constants.iter().copied().fold(f64::INFINITY, f64::min);
     let mut verdict = match input.gates.constant {
         Some(reference) => within(input, largest, reference, "the reference constant"),
-        None if largest == 0.0 => pass(vec![format!("{} vanishes on every level", input.norm)]),
+        None if largest == 0.0 => pass(vec![format!("{} vanishes on every level", in_words(input.norm))]),
         None if smallest == 0.0 => inconclusive(vec![format!(
             "{} vanishes on some levels and reaches {largest:.3e} on others: state a reference constant",
-            input.norm
+            in_words(input.norm)
         )]),
         None => within(input, largest, smallest, "the smallest"),
     };
@@ -47,6 +48,7 @@ pub(super) fn judge(input: &JudgeInput) -> Verdict {
 
 fn within(input: &JudgeInput, largest: f64, reference: f64, name: &str) -> Verdict {
     let spread = input.gates.spread;
-    let finding = format!("{} reaches {largest:.3e}; {spread} times {name} is {:.3e}", input.norm, spread * reference);
+    let words = in_words(input.norm);
+    let finding = format!("{words} reaches {largest:.3e}; {spread} times {name} is {:.3e}", spread * reference);
     if largest <= spread * reference { pass(vec![finding]) } else { fail(vec![finding]) }
 }
