@@ -1,10 +1,10 @@
 //! A solved level against the exact solution: errors, ledger and budget.
 
+use super::defects::geometry_error;
 use super::parts::{differences, dual_norm, ledger, relative_difference, set_errors, share};
 use super::{Solved, Task};
 use crate::record::{Budget, Ledger, Level};
 use crate::reference::exact::Integrals;
-use super::defects::geometry_error;
 use crate::run::contact::ContactErrors;
 use crate::run::zone_ledger::ZoneLedger;
 use crate::study::ExactScene;
