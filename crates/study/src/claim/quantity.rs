@@ -46,9 +46,7 @@ pub const QUANTITIES: [Quantity; 14] = [
     error!("interpolation", "interpolation", "√A(u−u_I,u−u_I)", interpolation),
     error!("boundary_l2", "boundary L²", "‖u−u_I‖₀ on ∂Ω", boundary_l2),
     error!("constant", "constant", "c", constant),
-    Quantity {
-        key: "solution_h1", words: "size of the solution", symbol: "‖uₕ‖₁", value: |level| level.solution_h1
-    },
+    Quantity { key: "solution_h1", words: "size of the solution", symbol: "‖uₕ‖₁", value: |l| l.solution_h1 },
     Quantity { key: "b_over_h2", words: "constant", symbol: "b/h²", value: b_over_h2 },
 ];
 

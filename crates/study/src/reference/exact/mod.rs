@@ -32,6 +32,9 @@ use std::collections::BTreeMap;
 /// A piece of an element is not split more often than this.
 const DEEPEST: u32 = 6;
 
+/// Size of the first pieces relative to their distance from a singular point.
+const ADAPTIVE_GRADING: f64 = 0.9;
+
 /// Every piece may err by this share of the accuracy, or by its element's even share if that is less.
 const SMALLEST_SHARE: f64 = 1e-4;
 
@@ -66,7 +69,8 @@ impl Pair {
     /// Integrates on every element, splitting pieces where one more refinement still changes the result by more than its
     /// share. `u_I` are the nodal values of `u`. With `fixed` nothing is graded, cut or split: one rule for all elements.
     pub fn new(scene: &Scene, exact: &ExactScene, mesh: &Mesh, interpolant: &[Vec2], fixed: bool) -> Self {
-        let cubature = scene.cubature(0, fixed);
+        // pieces are refined until they settle, so they may start larger than where one rule has to do
+        let cubature = Cubature { grading: ADAPTIVE_GRADING, ..scene.cubature(0, fixed) };
         let element = |t: usize| ElementIntegrand::new(scene, exact, mesh, interpolant, t);
         let rough = |t: usize| {
             if mesh.curved.of(t).is_some() { 0.0 } else { element(t).once(&cubature).interpolation.energy }
