@@ -2,7 +2,7 @@
 
 use super::{part, points};
 use crate::Point;
-use crate::geometry::{CircularArc, ContactLine, Curve, Graph, GraphFn, Path, SharedCurve, Vec2, tangent_of};
+use crate::geometry::{CircularArc, ContactLine, Graph, GraphFn, Path, SharedCurve, Vec2, tangent_of};
 use crate::mesh::blocks::{Pattern, QuadBlock, triangulate};
 use crate::mesh::{Body, Hierarchy, Mesh, PartOutline};
 use crate::zone::Zone;
