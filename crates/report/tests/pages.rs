@@ -3,7 +3,7 @@
 mod common;
 
 use signorini_report::{ReportError, levels, markdown, render, render_summary, summary_text, table};
-use signorini_study::record::{Outcome, StudyRecord};
+use signorini_study::record::{Budget, ClaimKind, Errors, Outcome, SolverRecord, StudyRecord};
 use std::fs;
 
 type Tested = Result<(), Box<dyn std::error::Error>>;
@@ -76,13 +76,14 @@ fn a_number_that_is_none_is_refused_and_named() {
 #[test]
 fn page_answers_in_the_order_of_the_questions() {
     let record = common::healthy();
-    let page = markdown::page(&record, markdown::Pictures { rates: true, ledger: true });
+    let page = markdown::page(&record, markdown::Pictures { rates: true, ledger: true, parts: false });
     let order = [
         "# Two blocks in flat contact",
         "**pass**",
         "## Question",
         "## Claim",
         "|u − u_h| ≤ c h",
+        "Hypotheses: u ∈ H²; regular family.",
         "| paper | 1 |",
         "| **observed** | 1.000 | 0.996 | 1.004 |",
         "## Set-up",
@@ -239,4 +240,35 @@ fn rounding_has_no_rates_and_no_ledger_picture() {
     assert!(signorini_report::plot::ledger(&record).is_none());
     let rates = signorini_report::plot::rates(&record);
     assert!(rates.is_some_and(|c| c.remarks.iter().any(|r| r.starts_with("Rounding"))));
+}
+
+/// A lemma solves nothing: its page has no contact zone, no certificate and no reference, and its tables no zeros for them.
+#[test]
+fn a_lemma_shows_only_what_was_measured() -> Tested {
+    let mut record = common::healthy();
+    record.norm = "constant".into();
+    record.kind = ClaimKind::Bounded;
+    record.rates.clear();
+    for level in &mut record.levels {
+        level.solver = SolverRecord::nothing_to_solve();
+        level.errors = Errors { constant: Some(0.125 + level.h), ..Errors::default() };
+        (level.ledger, level.switch_sides, level.budget) = (None, None, Budget::default());
+    }
+    let page = markdown::page(&record, markdown::Pictures::default());
+    for absent in ["## Contact", "KKT", "pairs", "Reference:", "L(uₕ)", "solver", "log(e₁/e₂)"] {
+        assert!(!page.contains(absent), "{absent}:\n{page}");
+    }
+    for there in ["## Constants", "constant c", "## Mesh and quadrature", "45.000", "0.30178"] {
+        assert!(page.contains(there), "{there}:\n{page}");
+    }
+    let rows = levels::all(&record).to_json()?;
+    assert!(rows[0]["kkt_stationarity"].is_null() && rows[0]["contact_pairs"].is_null(), "{}", rows[0]);
+    assert_eq!(rows[0]["constant"].as_f64(), record.levels[0].errors.constant);
+    // of an equality the distance from 1 is shown beside the constant
+    record.kind = ClaimKind::Exact;
+    assert!(markdown::page(&record, markdown::Pictures::default()).contains("c − 1"));
+    // intervals have no angle
+    record.levels.iter_mut().for_each(|l| l.min_angle = 0.0);
+    assert!(!markdown::page(&record, markdown::Pictures::default()).contains("min angle"));
+    Ok(())
 }

@@ -30,7 +30,9 @@ fn hard_records_are_drawn_or_declined() -> Result<(), Box<dyn std::error::Error>
     let dir = common::folder("hard");
     fs::create_dir_all(&dir)?;
     for (name, record) in common::hard() {
-        for (kind, chart) in [("rates", plot::rates(&record)), ("ledger", plot::ledger(&record))] {
+        for (kind, chart) in
+            [("rates", plot::rates(&record)), ("ledger", plot::ledger(&record)), ("parts", plot::parts(&record))]
+        {
             if let Some(chart) = chart {
                 let png = plot::png(&chart)?;
                 assert_eq!(size(&png), (WIDTH, HEIGHT), "{name}");

@@ -57,6 +57,7 @@ pub(crate) fn level(k: usize, error: f64) -> Level {
         warnings: Vec::new(),
         excluded: None,
         solution_energy: Some(1.0),
+        solution_h1: None,
         solution_trace: Some(1.0),
     }
 }
@@ -75,6 +76,7 @@ pub(crate) fn record(study: &str, case: &str, levels: Vec<Level>) -> StudyRecord
         parameters: [("k".to_string(), 3.0)].into(),
         claim: "theorem-3-1".into(),
         statement: "|u − u_h| ≤ c h".into(),
+        hypotheses: vec!["regular family".into()],
         kind: ClaimKind::Rate,
         norm: "strain".into(),
         family: "structured".into(),

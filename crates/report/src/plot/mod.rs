@@ -1,4 +1,4 @@
-//! Pictures of a record: [`rates()`] and [`ledger()`] build a [`Chart`], pure data; [`png()`] and [`svg()`] draw it.
+//! Pictures of a record: [`rates()`], [`ledger()`] and [`parts()`] build a [`Chart`], pure data; [`png()`] and [`svg()`] draw it.
 
 mod annotate;
 mod axis;
@@ -8,11 +8,13 @@ mod draw;
 mod encode;
 mod frame;
 mod ledger;
+mod parts;
 mod place;
 mod rates;
 mod triangle;
 
-pub use chart::{Band, Chart, Colour, Curve, Mark, MarkKind, Shape, Slope};
+pub use chart::{Band, Chart, Colour, Curve, Guide, Mark, MarkKind, Shape, Slope, Weight};
 pub use encode::{HEIGHT, WIDTH, png, svg};
 pub use ledger::ledger;
+pub use parts::parts;
 pub use rates::rates;

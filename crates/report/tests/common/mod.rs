@@ -53,6 +53,54 @@ pub fn healthy() -> StudyRecord {
     record
 }
 
+/// Theorem 3.3: a ledger whose parts fall like `h²`, `|b|` and `|c|` nearly equal and of opposite signs, rates by the
+/// program's own fit, meshes too irregular for the theorem.
+pub fn arc() -> StudyRecord {
+    let parts = |h: f64| {
+        [
+            ("trace_interpolation", 0.021 * h.powi(2)),
+            ("jump_minus_chord", 0.08 * h.powf(1.9)),
+            ("nodal_minus_chord", 0.0805 * h.powf(1.9)),
+            ("nodal_minus_jump", 0.004 * h.powi(2)),
+        ]
+    };
+    let mut record = with_parts(parts, |h| [0.0045 * h * h, -0.0046 * h * h * (1.0 + h)]);
+    (record.claim, record.study) = ("theorem-3-3".into(), "theorem-3-3".into());
+    record.hypotheses = vec!["u ∈ H²".into(), "strongly regular family".into()];
+    record.bounds = Bounds { paper: Some(0.75), today: None, expected: Some(1.0) };
+    for level in &mut record.levels {
+        (level.side_ratio, level.straight_over_chord) = (7.4 + 0.01 * level.level as f64, Some(3.1));
+    }
+    record
+}
+
+/// Theorem 3.4: `b` of full sides negative, that of switch sides wherever the switch point sits.
+pub fn gap() -> StudyRecord {
+    let parts = |h: f64| {
+        let k = (std::f64::consts::SQRT_2 / h / 8.0).log2();
+        let switch = 0.004 * h * h * (1.5 + (2.1 * k).sin());
+        [("b_gap", -0.03 * h * h), ("b_switch", switch), ("gap_interpolation", 0.01 * h * h), ("unused", 0.0)]
+    };
+    let mut record = with_parts(parts, |h| [-0.027 * h * h, 0.0002 * h.powi(3)]);
+    (record.claim, record.study) = ("theorem-3-4".into(), "theorem-3-4".into());
+    record.levels.iter_mut().for_each(|l| l.straight_over_chord = Some(1.2));
+    record
+}
+
+/// A healthy record with these parts and `[b, c]` on each level, and the rates that follow.
+fn with_parts(parts: impl Fn(f64) -> [(&'static str, f64); 4], zone: impl Fn(f64) -> [f64; 2]) -> StudyRecord {
+    let mut record = healthy();
+    for level in &mut record.levels {
+        let h = level.h;
+        if let Some(ledger) = &mut level.ledger {
+            [ledger.b, ledger.c] = zone(h);
+            ledger.parts = parts(h).into_iter().filter(|p| p.0 != "unused").map(|(n, x)| (n.to_string(), x)).collect();
+        }
+    }
+    record.rates = signorini_study::rate::all(&record.levels, "strain");
+    record
+}
+
 /// An empty record of one case with these levels.
 pub fn blank(levels: Vec<Level>) -> StudyRecord {
     StudyRecord {
@@ -67,6 +115,7 @@ pub fn blank(levels: Vec<Level>) -> StudyRecord {
         parameters: BTreeMap::from([("alpha".into(), 1.5), ("N".into(), 3.0)]),
         claim: "theorem-3.1".into(),
         statement: "|u − u_h| ≤ c h".into(),
+        hypotheses: vec!["u ∈ H²".into(), "regular family".into()],
         kind: ClaimKind::Rate,
         norm: "strain".into(),
         family: "criss-cross".into(),
@@ -116,6 +165,7 @@ fn level(k: usize, errors: impl Fn(f64) -> Errors) -> Level {
         warnings: Vec::new(),
         excluded: None,
         solution_energy: Some(1.0),
+        solution_h1: None,
         solution_trace: Some(1.0),
     }
 }
@@ -212,6 +262,8 @@ pub fn hard() -> Vec<(&'static str, StudyRecord)> {
         ("long-words", words),
         ("unknown-norm", unknown),
         ("pressure", pressure),
+        ("arc", arc()),
+        ("gap", gap()),
     ]
 }
 

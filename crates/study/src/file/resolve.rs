@@ -8,7 +8,6 @@ use super::layer::Layer;
 use super::raw::{Expect, RawBody, RawStudy};
 use super::{boundary, discretisation, exact, judge, lemma, material, plan, shape, words};
 use crate::claim::Claim;
-use crate::family::Domain;
 use crate::lemma::Lemma;
 use crate::record::Outcome;
 use crate::study::{Case, ReferencePlan, Scene, Study, Subject};
@@ -75,13 +74,10 @@ fn case(name: &Spanned<String>, layer: Layer<'_>, claim: &Claim) -> Result<Case,
         Subject::Lemma(Lemma::BoundaryInterpolation { .. }) => ReferencePlan::Exact,
         Subject::Lemma(_) => ReferencePlan::None,
     };
-    let domain = match &subject {
-        Subject::Contact(scene) => Some(scene.domain()),
-        Subject::Lemma(_) => None,
+    let (is_curved, is_located) = match &subject {
+        Subject::Contact(scene) => (scene.domain().is_curved(), !scene.domain().nests(&family)),
+        Subject::Lemma(_) => (false, false),
     };
-    let is_curved = domain.as_ref().is_some_and(Domain::is_curved);
-    let is_located = domain.as_ref().is_some_and(|d| !d.nests(&family));
-    drop(domain);
     let [quick, full] = plan::levels(layer.levels, &family, is_curved, &reference, control, place.clone())?;
     if lemma.is_some_and(Lemma::halves) {
         lemma::powers_of_two(&[&quick[..], &full[..]].concat(), plan::levels_place(layer.levels, place))?;

@@ -17,6 +17,7 @@ macro_rules! shipped {
 
 shipped! {
     Standard "":
+        "averaged-normals"
         "corner-patch"
         "lemma-2-1"
         "lemma-3-2"
@@ -26,15 +27,21 @@ shipped! {
         "many-switches"
         "remark-3-2a"
         "remark-3-2b"
+        "remark-3-4"
         "theorem-3-1-natural"
         "theorem-3-1-smooth"
+        "theorem-3-3"
+        "theorem-3-4"
         "two-squares"
     ;
     Controls "controls/":
+        "chord-normals"
+        "chords"
         "fixed-quadrature"
         "loose-solver"
         "roaming-switch"
         "same-mesh-twice"
+        "skewed-parameter"
         "too-few-levels"
         "wrong-mu"
     ;

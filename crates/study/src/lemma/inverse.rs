@@ -83,19 +83,20 @@ fn equality(interval: [f64; 2], ends: [f64; 2]) -> f64 {
 /// the ends.
 fn full(interval: [f64; 2], norms: Norms) -> f64 {
     let length = interval[1] - interval[0];
-    let hat = |k: usize| move |x: f64| linear(interval, [[1.0, 0.0], [0.0, 1.0]][k], x);
-    // Forms of two functions from squares: 4 B(p, q) = B(p+q, p+q) − B(p−q, p−q).
-    let gram = |square: &dyn Fn(&dyn Fn(f64) -> f64) -> f64| {
-        Matrix2::from_fn(|i, j| {
-            let (p, q) = (hat(i), hat(j));
-            0.25 * (square(&|x| p(x) + q(x)) - square(&|x| p(x) - q(x)))
-        })
-    };
-    let mass = gram(&|p| square(interval, p));
-    let half = mass + gram(&|p| slobodeckij(interval, p));
+    let mass = gram(|ends| square(interval, |x| linear(interval, ends, x)));
+    let half = mass + gram(|ends| slobodeckij(interval, |x| linear(interval, ends, x)));
     let stiffness = Matrix2::new(1.0, -1.0, -1.0, 1.0) / length;
     let left = if norms == Norms::Full { stiffness + mass } else { stiffness };
     largest_ratio(&(length * left), &half).map_or(f64::NAN, f64::sqrt)
+}
+
+/// The matrix of a quadratic form in the values at the two ends: `4 B(p, q) = B(p+q, p+q) − B(p−q, p−q)`.
+fn gram(square: impl Fn([f64; 2]) -> f64) -> Matrix2<f64> {
+    let unit = |k: usize| [[1.0, 0.0], [0.0, 1.0]][k];
+    Matrix2::from_fn(|i, j| {
+        let (p, q) = (unit(i), unit(j));
+        0.25 * (square([p[0] + q[0], p[1] + q[1]]) - square([p[0] - q[0], p[1] - q[1]]))
+    })
 }
 
 /// The linear function on an interval with the given values at its ends.

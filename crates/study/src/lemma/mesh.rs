@@ -2,8 +2,8 @@
 
 use super::ellipse::Ellipse;
 use signorini_contact::Point;
+use signorini_contact::mesh::fnv1a;
 use signorini_contact::mesh::quality::largest_cotangent;
-use signorini_contact::mesh::{Quality, fnv1a};
 
 /// A triangulation. Triangles on the curve have the arc between their two nodes there as a side.
 #[derive(Clone, Debug)]
@@ -16,6 +16,17 @@ pub struct DomainMesh {
     pub boundary: Vec<BoundarySide>,
     /// The curve.
     pub ellipse: Ellipse,
+}
+
+/// Size and regularity, measured.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Quality {
+    /// The largest distance of two points of a triangle.
+    pub h: f64,
+    /// The smallest angle of triangles with straight sides, in degrees; 0 of intervals, which have none.
+    pub min_angle: f64,
+    /// The longest over the shortest side or chord, `β`.
+    pub side_ratio: f64,
 }
 
 /// The curved side of a triangle.
@@ -98,7 +109,6 @@ impl DomainMesh {
             h: self.boundary.iter().map(far).fold(longest, f64::max),
             min_angle: f64::atan2(1.0, cotangent).to_degrees(),
             side_ratio: longest / shortest,
-            straight_over_chord: None,
         }
     }
 

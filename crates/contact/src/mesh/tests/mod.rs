@@ -10,6 +10,7 @@ use std::sync::Arc;
 
 mod blocks;
 mod build;
+mod curved;
 mod hierarchy;
 mod locate;
 mod quality;

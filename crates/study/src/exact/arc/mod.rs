@@ -29,10 +29,12 @@ use std::sync::Arc;
 
 /// The angle `θ_s` of the switch point: pressed below, open above.
 const SWITCH: f64 = 0.9;
+/// The radius of the arc.
+const RADIUS: f64 = 1.0;
 
 /// The contact zone of the built-in solutions on the arc: the quarter of the unit circle in `x, y ≥ 0`.
 pub fn contact_line() -> ContactLine {
-    let arc = CircularArc { centre: Point::zeros(), radius: 1.0, from: 0.0, to: FRAC_PI_2 };
+    let arc = CircularArc { centre: Point::zeros(), radius: RADIUS, from: 0.0, to: FRAC_PI_2 };
     ContactLine::Common(Path::along(Arc::new(arc)))
 }
 
@@ -49,7 +51,7 @@ struct Place<D> {
 impl<D: Real> Place<D> {
     fn new(x: D, y: D) -> Self {
         let r = sqrt(x * x + y * y);
-        Self { theta: atan2(y, x), height: r - 1.0, direction: [x / r, y / r] }
+        Self { theta: atan2(y, x), height: r - RADIUS, direction: [x / r, y / r] }
     }
 
     /// `(u_r, u_θ)` in the directions of the axes.
@@ -74,11 +76,13 @@ fn distance<D: Real>(body: Body, x: D, y: D) -> D {
     }
 }
 
-/// `(u_r, u_θ)/X` at the height `r − 1`, from the trace at `θ`, whose slopes are derivatives with respect to `θ`.
-fn extended<D: Real>(trace: &Trace<D>, lame: Lame, height: D) -> [D; 2] {
-    // c = (p − λ (w + a_θ))/(λ + 2μ), b = a − w_θ
-    let c = (trace.p - (trace.w + trace.slope_a) * lame.lambda) * (1.0 / normal_modulus(lame));
-    let b = trace.a - trace.slope_w;
+/// `(u_r, u_θ)/X` at the height `r − R` above a circle of radius `R`, from the trace at `θ`, whose slopes are derivatives
+/// with respect to `θ`: the lemma above with `b = (a − w_θ)/R`, `c = (p − λ (w + a_θ)/R)/(λ + 2μ)`.
+pub(super) fn extended<D: Real>(trace: &Trace<D>, lame: Lame, radius: f64, height: D) -> [D; 2] {
+    // τ_rr = (λ + 2μ) c + λ ε_θθ, ε_θθ = (w + a_θ)/R
+    let c = (trace.p - (trace.w + trace.slope_a) * (lame.lambda / radius)) * (1.0 / normal_modulus(lame));
+    // 2ε_rθ = (w_θ − a)/R + b
+    let b = (trace.a - trace.slope_w) * (1.0 / radius);
     [trace.w + height * c, trace.a + height * b]
 }
 

@@ -4,7 +4,7 @@
 //! `w = q_0 − 0.6 g` in `Ω'`, `q_0 + 0.4 g` in `Ω''`. The bodies slip along each other, so that no part of the error of
 //! a straight-sided treatment vanishes by chance. The body force jumps across the ray `θ = θ_s`; `u ∈ H^{5/2−δ}`.
 
-use super::{Place, SWITCH, extended, smooth, switch_point};
+use super::{Place, RADIUS, SWITCH, extended, smooth, switch_point};
 use crate::exact::Field;
 use crate::expr::{Real, positive_power};
 use signorini_contact::{Body, Point, geometry::Segment, material::Lame};
@@ -43,7 +43,7 @@ impl Field for ArcPolynomial {
         // p = −4 (θ_s−θ)_+²
         trace.p = positive_power(-beyond, 2.0) * -PRESSURE;
         let chi = place.cutoff(body, x, y);
-        place.turned(extended(&trace, self.lame[body.index()], place.height)).map(|u| u * chi)
+        place.turned(extended(&trace, self.lame[body.index()], RADIUS, place.height)).map(|u| u * chi)
     }
 
     fn break_lines(&self) -> Vec<Segment> {

@@ -10,7 +10,7 @@
 //! has on the arc `τ_rθ = 0` and `τ_rr = −B (θ_s−θ)_+^{α−1}`: there `ε_θθ = W`, which the last term of `u_r` pays for.
 //! It is added to the smooth part before both are cut off. The gap is `0.4 (θ−θ_s)_+^α`.
 
-use super::{Place, SWITCH, extended, smooth, switch_point};
+use super::{Place, RADIUS, SWITCH, extended, smooth, switch_point};
 use crate::exact::line::normal_modulus;
 use crate::exact::wedge::{self, Wedge};
 use crate::exact::{Field, parameters};
@@ -58,7 +58,7 @@ impl Field for ArcPowerLaw {
     fn eval<D: Real>(&self, body: Body, x: D, y: D) -> [D; 2] {
         let place = Place::new(x, y);
         let [s_r, s_theta] = self.singular(body, &place);
-        let [u_r, u_theta] = extended(&smooth(body, place.theta), self.lame[body.index()], place.height);
+        let [u_r, u_theta] = extended(&smooth(body, place.theta), self.lame[body.index()], RADIUS, place.height);
         let chi = place.cutoff(body, x, y);
         place.turned([u_r + s_r, u_theta + s_theta]).map(|u| u * chi)
     }

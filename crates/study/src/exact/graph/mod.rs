@@ -62,7 +62,7 @@ impl<D: Real> Across<D> {
 
 /// `(u_x, u_y)/X` at the offset `x − f` from the graph of slope `F`, from the trace at `y`, whose slopes are
 /// derivatives with respect to `y`.
-fn extended<D: Real>(trace: &Trace<D>, lame: Lame, slope: D, offset: D) -> [D; 2] {
+pub(super) fn extended<D: Real>(trace: &Trace<D>, lame: Lame, slope: D, offset: D) -> [D; 2] {
     // r_1 = p − λ a_y + μ F w_y, r_2 = −μ w_y + L F a_y
     let r1 = trace.p - trace.slope_a * lame.lambda + slope * trace.slope_w * lame.mu;
     let r2 = slope * trace.slope_a * normal_modulus(lame) - trace.slope_w * lame.mu;

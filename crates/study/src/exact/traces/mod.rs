@@ -14,15 +14,14 @@
 //! without friction the bodies slip. The displacement is multiplied by `X = Q (2 − Q)`, `Q = q(x, y)/q(foot point)`, where
 //! the cutoff `q` vanishes on the clamped part of the body: there `X = 0`, and on the contact line `X = 1`, `∇X = 0`.
 
-mod lemma;
 #[cfg(test)]
 mod tests;
 mod text;
 
 pub use text::{LineText, TraceError, TraceName, TraceTexts};
 
-use super::Field;
 use super::line::Trace;
+use super::{Field, arc, graph};
 use crate::expr::{Expression, Real, atan2, sqrt};
 use signorini_contact::geometry::{Segment, Vec2};
 use signorini_contact::{Body, Point, material::Lame};
@@ -91,7 +90,8 @@ impl Traces {
                 let (dx, dy) = (x - centre.x, y - centre.y);
                 let r = sqrt(dx * dx + dy * dy);
                 let (cos, sin) = (dx / r, dy / r);
-                let [across, along] = lemma::arc(&self.trace(body, angle(dx, dy, *middle)), lame, *radius, r);
+                let [across, along] =
+                    arc::extended(&self.trace(body, angle(dx, dy, *middle)), lame, *radius, r - *radius);
                 // u = u_r e_r + u_θ e_θ
                 let u = [across * cos - along * sin, across * sin + along * cos];
                 (u, [cos * *radius + centre.x, sin * *radius + centre.y])
@@ -99,7 +99,7 @@ impl Traces {
             Line::Graph(f) => {
                 let f = &f[body.index()];
                 let (foot, slope) = (f.value.eval(&[y]), f.slope.eval(&[y]));
-                (lemma::graph(&self.trace(body, y), lame, slope, x - foot), [foot, y])
+                (graph::extended(&self.trace(body, y), lame, slope, x - foot), [foot, y])
             }
         }
     }

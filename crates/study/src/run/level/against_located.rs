@@ -39,7 +39,8 @@ impl Task<'_> {
         level.budget = Budget {
             algebraic: share(qp::algebraic_error(&discrete.qp, &solution.raw.x, &solution.raw.multipliers), e, size),
             quadrature: share(load_change + located.quadrature, e, size),
-            geometry: Some(0.0),
+            // with chords the bodies of level and reference differ; by how much is not known here
+            geometry: (!self.scene.discretisation.chords).then_some(0.0),
             reference: None,
             unresolved: share(located.unresolved.energy_norm(), e, size),
         };

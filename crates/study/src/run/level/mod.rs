@@ -3,6 +3,7 @@
 mod against_exact;
 mod against_located;
 mod against_overkill;
+mod defects;
 #[cfg(test)]
 mod located_tests;
 mod parts;
@@ -18,13 +19,14 @@ use crate::reference::exact::Pair;
 use crate::reference::overkill::Overkill;
 use crate::study::{Case, ExactScene, Scene};
 use against_exact::ExactMeasurement;
+use defects::with_normals;
 use signorini_contact::mesh::Mesh;
 use signorini_contact::problem::{Discrete, Problem, Solution, Support};
 use signorini_contact::qp;
 use signorini_contact::quadrature::Cubature;
 use signorini_contact::solver::{Prepared, Settings};
 use signorini_contact::zone::{Zone, side_length};
-use signorini_contact::{Vec2, assembly};
+use signorini_contact::{Vec2, assembly, norm};
 
 /// A solved level: what every measurement starts from.
 struct Solved {
@@ -62,11 +64,12 @@ impl Task<'_> {
         let interpolant: Vec<Vec2> =
             mesh.points.iter().zip(&mesh.node_bodies).map(|(x, body)| exact.solution.value(*body, *x)).collect();
         let fixed = self.case.fixed_quadrature;
-        let Pair { base, fine } = Pair::new(self.scene, exact, mesh, &interpolant, fixed);
+        let Pair { base, fine } = Pair::new(self.scene, exact, mesh, &interpolant, fixed)?;
         let cubature = self.scene.cubature(1, fixed);
         let supports = self.scene.supports();
         let problem = self.problem(mesh, &supports, &cubature);
-        let discrete = problem.discretise_zone(fine.load.clone(), (self.constrain)(mesh))?;
+        let zone = with_normals((self.constrain)(mesh), mesh, &self.scene.discretisation);
+        let discrete = problem.discretise_zone(fine.load.clone(), zone)?;
         watch.lap(|t| &mut t.assembly);
         let solved = self.solve(&problem, discrete, &mut watch);
         let measured = ExactMeasurement {
@@ -198,6 +201,7 @@ impl Task<'_> {
             switch_sides: None,
             energy: solution.energy,
             solution_energy: Some(solution.strain_energy.sqrt()),
+            solution_h1: Some(norm::of_linear(finest, &self.scene.materials, &solution.displacement).h1_norm()),
             solution_trace: Some(largest_component(&solution.displacement) * zone_length(finest).sqrt()),
             two_way: None,
             mesh_hash: meshed.hash.clone(),
