@@ -122,6 +122,20 @@ mod tests {
         assert!((contaminated(-0.5 + 1e-6).0 / own - 1.0).abs() < 1e-9);
     }
 
+    /// `½(e_ref/e)² + (e_ref/e)(‖w‖/e)`, as long as the triangle inequality does not say less.
+    #[test]
+    fn what_the_reference_cannot_hold_adds_to_its_share() {
+        let share = |unresolved| {
+            let (mut levels, mut reference) = synthetic(-0.5 + 0.5 * (0.3 * 0.125 / 64.0_f64).powi(2));
+            levels[3].budget.unresolved = unresolved;
+            contaminate(&mut levels, &mut reference);
+            levels[3].budget.reference.unwrap()
+        };
+        assert!((share(Some(0.4)) - (0.5 / 64.0 + 0.4 / 8.0)).abs() < 1e-9);
+        assert!((share(Some(3.0)) - 0.125).abs() < 1e-9);
+        assert_eq!(share(Some(0.0)), share(None));
+    }
+
     #[test]
     fn an_exact_reference_contaminates_nothing() {
         let mut levels = sample::levels(4, |h| 0.3 * h);
