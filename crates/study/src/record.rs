@@ -72,7 +72,7 @@ pub struct StudyRecord {
 pub enum Reference {
     /// A closed form.
     Exact,
-    /// The discrete solution on a finer nested mesh.
+    /// The discrete solution on a finer mesh, nested where that can be.
     Overkill {
         /// Mesh size of the reference.
         h: f64,
@@ -318,6 +318,10 @@ pub struct Budget {
     pub geometry: Option<f64>,
     /// Contamination by the reference's own error.
     pub reference: Option<f64>,
+    /// `‖u_h − I u_h‖_A`, with the interpolant `I` on the mesh of a reference that is not nested: the part of `u_h` that is not
+    /// orthogonal to the reference's own error. A factor of `reference`, no error by itself; not in records of older runs.
+    #[serde(default)]
+    pub unresolved: Option<f64>,
 }
 
 /// [`SolverRecord::name`] of a level on which nothing is solved: a lemma is measured on it. Its energy, its counts of

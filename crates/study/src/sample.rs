@@ -40,7 +40,13 @@ pub(crate) fn level(k: usize, error: f64) -> Level {
         },
         ledger: None,
         kkt: Kkt { stationarity: 1e-15, ..Kkt::default() },
-        budget: Budget { algebraic: Some(1e-8), quadrature: Some(1e-7), geometry: Some(0.0), reference: Some(0.0) },
+        budget: Budget {
+            algebraic: Some(1e-8),
+            quadrature: Some(1e-7),
+            geometry: Some(0.0),
+            reference: Some(0.0),
+            unresolved: None,
+        },
         solver: SolverRecord {
             name: "condensed".into(),
             status: "converged".into(),

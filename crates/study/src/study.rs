@@ -111,7 +111,8 @@ impl Case {
 pub enum ReferencePlan {
     /// The scene's exact solution.
     Exact,
-    /// The discrete solution with this many cells, nested above every level: quick and full profile.
+    /// The discrete solution with this many cells, on straight bodies and in nested families nested above every level: quick and
+    /// full profile.
     Overkill {
         /// Cells of the reference mesh at the quick profile.
         quick: usize,

@@ -8,7 +8,7 @@
 //! parameter. M. Zlámal, *Curved elements in the finite element method I*, SIAM J. Numer. Anal. 10 (1973).
 
 use super::curved::{CurvedTriangle, ElementPoint};
-use crate::geometry::{Vec2, cross};
+use crate::geometry::{Point, Vec2, cross};
 
 /// The view of a curved triangle as this element.
 pub(super) struct Isoparametric<'a> {
@@ -21,23 +21,70 @@ pub(super) struct Isoparametric<'a> {
 /// Closer to `t = 1` than this, `q` and its derivative are replaced by their limits.
 const END: f64 = 1e-12;
 
+/// Most steps of Newton's method; a handful is enough where the map does not fold.
+const STEPS: u32 = 20;
+
+/// A step this small moves nothing but the last digits.
+const ROUNDING: f64 = 1e-15;
+
+/// A point of the reference triangle and its image.
+struct Image {
+    /// The hat functions of `S, A, B`.
+    coordinates: [f64; 3],
+    x: Point,
+    by_r: Vec2,
+    by_t: Vec2,
+    det: f64,
+}
+
+impl Image {
+    fn grad_t(&self) -> Vec2 {
+        Vec2::new(self.by_r.y, -self.by_r.x) / self.det
+    }
+
+    fn grad_r(&self) -> Vec2 {
+        Vec2::new(-self.by_t.y, self.by_t.x) / self.det
+    }
+}
+
 impl Isoparametric<'_> {
     /// `r = 1 − ρ`, `t = ρ τ`.
     pub fn at(&self, rho: f64, tau: f64) -> ElementPoint {
+        self.point(rho, &self.image(1.0 - rho, rho * tau, rho * (1.0 - tau)))
+    }
+
+    /// The point whose image is `x`, by Newton's method for `F(r, t) = x` from the given coordinates `(r, t)`.
+    pub fn at_place(&self, x: Point, [mut r, mut t]: [f64; 2]) -> ElementPoint {
+        let mut image = self.image(r, t, 1.0 - r - t);
+        for _ in 0..STEPS {
+            let miss = x - image.x;
+            let (dr, dt) = (image.grad_r().dot(&miss), image.grad_t().dot(&miss));
+            (r, t) = (r + dr, t + dt);
+            image = self.image(r, t, 1.0 - r - t);
+            if dr.abs().max(dt.abs()) < ROUNDING {
+                break;
+            }
+        }
+        self.point(1.0 - r, &image)
+    }
+
+    /// `F(r, t)` and its derivatives; `rest = 1 − r − t`.
+    fn image(&self, r: f64, t: f64, rest: f64) -> Image {
         let [s, a, b] = self.triangle.from_apex();
-        let (r, t) = (1.0 - rho, rho * tau);
-        let rest = rho * (1.0 - tau);
         let (q, slope) = self.bump(t);
         let x = a + r * (s - a) + t * (b - a) + rest * q;
         let by_r = (s - a) - q;
         let by_t = (b - a) - q + rest * slope;
         // ∂x/∂(t, r), positive since S, A, B run counterclockwise
-        let det = cross(by_t, by_r);
-        let (grad_t, grad_r) = (Vec2::new(by_r.y, -by_r.x) / det, Vec2::new(-by_t.y, by_t.x) / det);
+        Image { coordinates: [r, rest, t], x, by_r, by_t, det: cross(by_t, by_r) }
+    }
+
+    fn point(&self, rho: f64, image: &Image) -> ElementPoint {
+        let (grad_t, grad_r) = (image.grad_t(), image.grad_r());
         ElementPoint {
-            x,
-            jacobian: rho * det,
-            hats: self.in_order([r, rest, t]),
+            x: image.x,
+            jacobian: rho * image.det,
+            hats: self.in_order(image.coordinates),
             gradients: self.in_order([grad_r, -grad_r - grad_t, grad_t]),
         }
     }

@@ -1,6 +1,7 @@
 //! The linear triangle: gradients of its hat functions and its stiffness. Triangles with a curved side are in [`curved`].
 
 pub mod curved;
+mod inverse;
 mod isoparametric;
 mod physical;
 

@@ -151,3 +151,39 @@ fn an_apex_too_near_to_the_arc_makes_the_element_fold() {
     // the tangents at the ends meet at 1/cos(0.315) − 1 = 0.052 above the circle: below that the apex does not see the arc
     assert!(bitten(0.06).least_jacobian() > 0.0 && bitten(0.045).least_jacobian() < 0.0);
 }
+
+/// From `x` back to the hat functions: the same as where `x` came from, near the apex, near the arc and on it.
+#[test]
+fn a_point_leads_back_to_its_coordinates() {
+    each(|t| {
+        for rho in [1e-6, 0.2, 0.7, 0.999, 1.0] {
+            for tau in [0.0, 1e-5, 0.3, 0.8, 0.9999] {
+                let p = t.at(rho, tau);
+                let (hats, gradients) = t.evaluate(p.x);
+                assert!((0..3).all(|k| (hats[k] - p.hats[k]).abs() < 1e-13), "{t:?} {rho} {tau}: {hats:?} {p:?}");
+                let scale = p.gradients.iter().map(|g| g.norm()).fold(1.0, f64::max);
+                // the bump's quotient by 1 − t loses digits towards t = 1
+                let digits = 1e-13 + 1e-15 / (1.0 - rho * tau);
+                assert!((0..3).all(|k| (gradients[k] - p.gradients[k]).norm() < digits * scale), "{t:?} {rho} {tau}");
+                assert!(t.excess(p.x) < 1e-15, "{t:?} {rho} {tau}");
+            }
+        }
+    });
+}
+
+/// Star coordinates are those of the physical element's map, and say how far a point lies beyond the arc.
+#[test]
+fn a_point_beyond_the_arc_is_outside_by_its_distance_along_the_ray() {
+    each(|t| {
+        let (apex, gamma) = (t.corners[t.apex], t.arc(0.37).0);
+        for beyond in [-0.05, -1e-9, 1e-9, 0.03] {
+            let x = gamma + beyond * (gamma - apex).normalize();
+            let (rho, tau) = t.star(x);
+            assert!((tau - 0.37).abs() < 1e-14 && (rho - 1.0).signum() == beyond.signum(), "{t:?} {rho} {tau}");
+            assert!((t.excess(x) - beyond).abs() < 1e-15, "{t:?}: {} {beyond}", t.excess(x));
+        }
+        // beside the straight sides
+        let beside = apex + 1.01 * (t.at(0.5, 0.0).x - apex) - 0.01 * (t.at(0.5, 1.0).x - apex);
+        assert!(t.excess(beside) > 1e-3);
+    });
+}

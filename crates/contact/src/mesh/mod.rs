@@ -19,6 +19,7 @@ mod contact;
 pub mod curved;
 mod hash;
 pub mod hierarchy;
+pub mod locate;
 mod outline;
 pub mod quality;
 pub mod side;
@@ -30,6 +31,7 @@ pub mod triangulation;
 pub use curved::{CurvedSide, CurvedSides};
 pub use hash::fnv1a;
 pub use hierarchy::Hierarchy;
+pub use locate::{Located, Locator};
 pub use quality::Quality;
 pub use triangulation::Triangulation;
 

@@ -1,11 +1,15 @@
 //! Norms of displacements and of their errors, both bodies together: `|v|² = ∫ ε_ij(v) ε_ij(v) dx` (the strain seminorm
 //! of every estimate), `A(v,v)`, the `H¹` seminorm and `L²`.
 
+mod across;
+mod clip;
 #[cfg(test)]
 mod tests;
 
+pub use across::{interpolate, of_located};
+
 use crate::element::{displacement_gradient, gradients, hats};
-use crate::geometry::{Point, Vec2};
+use crate::geometry::{Point, Vec2, twice_area};
 use crate::material::{Material, contract, strain};
 use crate::mesh::{Body, Mesh};
 use crate::quadrature::Cubature;
@@ -79,11 +83,15 @@ pub fn of_linear(mesh: &Mesh, materials: &[Material; 2], v: &[Vec2]) -> Squares 
         }
         let (g, area) = gradients(mesh.corners(t));
         squares.add(body, &materials[body.index()], area, Vec2::zeros(), displacement_gradient(&g, values));
-        // ∫ |v|² = |T|/12 (|v_0+v_1+v_2|² + Σ|v_k|²)
-        let total: Vec2 = values.iter().sum();
-        squares.l2 = area / 12.0 * (total.norm_squared() + values.iter().map(|v| v.norm_squared()).sum::<f64>());
+        squares.l2 = square_of_linear(mesh.corners(t), &values);
         squares
     })
+}
+
+/// `∫ |v|² = |T|/12 (|v_0+v_1+v_2|² + Σ|v_k|²)` of the linear field with these values at the corners of a triangle.
+fn square_of_linear([a, b, c]: [Point; 3], values: &[Vec2; 3]) -> f64 {
+    let total: Vec2 = values.iter().sum();
+    0.5 * twice_area(a, b, c) / 12.0 * (total.norm_squared() + values.iter().map(|v| v.norm_squared()).sum::<f64>())
 }
 
 /// A displacement and its gradient `g[i][j] = ∂_j u_i` at a point of a body.

@@ -1,8 +1,10 @@
 //! Norms of fields whose integrals are known.
 
 use super::*;
+use crate::element::CurvedElement;
+use crate::mesh::Locator;
 use crate::mesh::blocks::Pattern;
-use crate::mesh::tests::squares;
+use crate::mesh::tests::{quarter_disc, squares};
 
 fn mesh() -> Mesh {
     squares(3, Pattern::CrissCross).build().unwrap()
@@ -62,4 +64,55 @@ fn a_linear_field_differs_from_another_by_its_norm_on_both_ways() {
     let [by_points] = of_differences(&mesh, &materials(), &none, [&v], &Cubature::default());
     let by_mass = of_linear(&mesh, &materials(), &v);
     close(&by_points, by_mass.strain, by_mass.energy, by_mass.gradient, by_mass.l2);
+}
+
+fn wave(body: Body, x: Point) -> Vec2 {
+    Vec2::new((3.0 * x.x + x.y).sin(), body.index() as f64 - x.x * x.y)
+}
+
+#[test]
+fn across_nested_meshes_the_difference_is_integrated_exactly() {
+    let [coarse, fine] = [3, 6].map(|n| squares(n, Pattern::Structured).build().unwrap());
+    let (w, v) = (nodal(&coarse, wave), nodal(&fine, |b, x| 0.9 * wave(b, x)));
+    let locator = Locator::new(&coarse);
+    let [across] = of_located(&fine, &materials(), &locator, [(&v, &w)], 0);
+    // the coarse field lies in the fine space: its interpolant there is the field itself
+    let lifted = interpolate(&fine, &locator, &w);
+    let difference: Vec<Vec2> = v.iter().zip(&lifted).map(|(v, w)| v - w).collect();
+    let direct = of_linear(&fine, &materials(), &difference);
+    close(&across, direct.strain, direct.energy, direct.gradient, direct.l2);
+}
+
+/// Against zero the norm of a coarse field is its own, whatever mesh it is summed on.
+#[test]
+fn a_field_has_the_same_norms_on_every_mesh_of_the_same_bodies() {
+    for element in [CurvedElement::Physical, CurvedElement::Isoparametric { skew: 0.0 }] {
+        let (coarse, fine) = (quarter_disc(3, element), quarter_disc(10, element));
+        let (w, zero) = (nodal(&coarse, wave), vec![Vec2::zeros(); fine.points.len()]);
+        let (locator, own) = (Locator::new(&coarse), of_linear(&coarse, &materials(), &w));
+        let off = |depth: u32| {
+            let [across] = of_located(&fine, &materials(), &locator, [(&zero, &w)], depth);
+            assert!((across.l2 / own.l2 - 1.0).abs() < 1e-4, "{element:?}: {across:?} {own:?}");
+            (across.energy / own.energy - 1.0).abs()
+        };
+        assert!(off(0) < 1e-3 && off(1) < 5e-4 && off(3) < 1e-4, "{element:?}: {} {} {}", off(0), off(1), off(3));
+    }
+}
+
+/// The interpolant at the fine nodes rounds off the kinks along the coarse sides and is no stand-in for the field.
+#[test]
+fn the_interpolant_on_a_finer_mesh_that_is_not_nested_has_less_strain() {
+    let (coarse, fine) = (quarter_disc(5, CurvedElement::Physical), quarter_disc(12, CurvedElement::Physical));
+    // a field of kinks alone
+    let w: Vec<Vec2> =
+        (0..coarse.points.len()).map(|i| Vec2::new((7.0 * i as f64).sin(), (5.0 * i as f64).cos())).collect();
+    let (locator, zero) = (Locator::new(&coarse), vec![Vec2::zeros(); fine.points.len()]);
+    let [itself] = of_located(&fine, &materials(), &locator, [(&zero, &w)], 1);
+    let lifted = interpolate(&fine, &locator, &w);
+    let interpolant = of_linear(&fine, &materials(), &lifted);
+    let share = interpolant.energy_norm() / itself.energy_norm();
+    assert!((0.5..0.95).contains(&share), "{share}");
+    // what the interpolant lost is what stands between the two
+    let [lost] = of_located(&fine, &materials(), &locator, [(&lifted, &w)], 1);
+    assert!(lost.energy_norm() > 0.3 * itself.energy_norm(), "{lost:?}");
 }

@@ -47,6 +47,12 @@ impl Domain<'_> {
     pub fn is_curved(&self) -> bool {
         self.shapes.iter().flat_map(|s| &s.blocks).flat_map(|b| &b.curves).any(Option::is_some)
     }
+
+    /// Whether the levels of a family hold the fields of the coarser ones. New nodes of curved sides leave their chords, so on
+    /// curved bodies no family does.
+    pub fn nests(&self, family: &Family) -> bool {
+        family.is_nested() && !self.is_curved()
+    }
 }
 
 /// The mesh of level `index`, with `cells[index]` cells per unit of the blocks' divisions.
@@ -63,7 +69,7 @@ pub fn build_level(family: &Family, domain: &Domain, cells: &[usize], index: usi
         return refuse(format!("level {index} does not exist; there are {} levels, from 0", cells.len()));
     };
     let scene = Scene { family, domain };
-    let by_refinement = family.is_refined() || (family.is_nested() && !domain.is_curved());
+    let by_refinement = family.is_refined() || domain.nests(family);
     let hierarchy = match refinements(cells[0], n) {
         Some(steps) if by_refinement => scene.refined(cells[0], steps)?,
         None if family.is_refined() => {
@@ -75,16 +81,18 @@ pub fn build_level(family: &Family, domain: &Domain, cells: &[usize], index: usi
     Ok(Level {
         quality: finest.quality(),
         hash: finest.hash(),
-        nested: family.is_nested() && !domain.is_curved() && index > 0 && follows(cells, index),
+        nested: domain.nests(family) && index > 0 && follows(cells, index),
         hierarchy,
     })
 }
 
-/// Every level of a nested family and the reference mesh of `reference_n` cells as the finest: level `i` of `cells` is mesh
-/// [`refinements`]`(cells[0], cells[i])`, equal to the last bit to that of [`build_level`].
+/// The reference mesh of `reference_n` cells as the finest of a hierarchy. Where the family is nested the hierarchy holds every
+/// level: level `i` of `cells` is mesh [`refinements`]`(cells[0], cells[i])`, equal to the last bit to that of [`build_level`].
+/// Elsewhere it is a level like the others, of `reference_n` cells.
 ///
 /// # Errors
-/// [`Error::Mesh`] as for [`build_level`], for a family that is not nested, and for cells that are not `2^k cells[0]`.
+/// [`Error::Mesh`] as for [`build_level`], for a reference that is coarser than a level, and in a nested family for cells that are
+/// not `2^k cells[0]`.
 pub fn build_reference(
     family: &Family,
     domain: &Domain,
@@ -92,18 +100,14 @@ pub fn build_reference(
     reference_n: usize,
 ) -> Result<Hierarchy, Error> {
     check(family, cells)?;
-    if !family.is_nested() {
-        return refuse(format!(
-            "the family {} is not nested, so a reference on a finer mesh cannot hold its fields; structured, criss-cross \
-             and refined are nested: take one of them or an exact reference",
-            family.name()
-        ));
-    }
     let (coarse, finest) = (cells[0], cells[cells.len() - 1]);
     if reference_n < finest {
         return refuse(format!(
             "the reference has {reference_n} cells, fewer than the finest level's {finest}; give it more"
         ));
+    }
+    if !domain.nests(family) {
+        return Ok(build_level(family, domain, &[coarse, reference_n], 1)?.hierarchy);
     }
     if let Some(&n) = cells.iter().find(|&&n| refinements(coarse, n).is_none()) {
         return refuse(not_a_refinement(coarse, n));

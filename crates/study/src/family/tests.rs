@@ -236,6 +236,18 @@ fn references_hold_the_study_levels() {
     }
 }
 
+/// Where no mesh refines another, the reference is the mesh that a level of its size would be.
+#[test]
+fn references_of_other_families_are_levels_like_the_others() {
+    for scene in scenes() {
+        for family in [Family::UnionJack, PERTURBED] {
+            let reference = scene.reference(family, &[4, 6], 9).unwrap();
+            let level = scene.level(family, &[4, 9], 1).unwrap();
+            assert_eq!((reference.levels().len(), reference.finest().hash()), (1, level.hash));
+        }
+    }
+}
+
 /// Corners, ends of parts and block corners stay; every other node moves, boundary nodes along their part.
 #[test]
 fn perturbed_nodes_move_within_bounds() {
@@ -341,8 +353,8 @@ fn meaningless_levels_are_refused() {
         (level(amount(f64::NAN), &[8], 0), "by NaN of a cell"),
         (level(REFINED, &[8, 12], 1), "12 cells are no refinement of the coarsest level's 8"),
         (level(Family::Structured, &[usize::MAX], 0), "body \"upper\": the blocks have"),
-        (reference(PERTURBED, &[8], 16), "structured, criss-cross and refined are nested"),
-        (reference(Family::UnionJack, &[8], 16), "the family union-jack is not nested"),
+        (reference(PERTURBED, &[8], 7), "fewer than the finest level's 8"),
+        (reference(Family::UnionJack, &[], 16), "cells []"),
         (reference(Family::Structured, &[8, 16], 8), "fewer than the finest level's 16"),
         (reference(Family::Structured, &[8, 16], 24), "24 cells are no refinement"),
         (reference(Family::Structured, &[8, 12], 16), "12 cells are no refinement"),

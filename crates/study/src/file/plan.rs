@@ -84,7 +84,6 @@ fn random(raw: &Spanned<RawFamily>) -> Result<(u64, f64), Fault> {
 pub fn reference(
     raw: Option<&Spanned<RawReference>>,
     has_exact: bool,
-    family: &Family,
     place: Range<usize>,
 ) -> Result<ReferencePlan, Fault> {
     let by_default = if has_exact { ReferenceName::Exact } else { ReferenceName::Overkill };
@@ -97,10 +96,6 @@ pub fn reference(
     match kind {
         ReferenceName::Exact if !has_exact => {
             refuse(span, "reference `exact`, but the scene has no exact solution", "add [exact], or choose `overkill`")
-        }
-        ReferenceName::Overkill if !family.is_nested() => {
-            let message = format!("an overkill reference needs a nested family, and `{}` is none", family.name());
-            refuse(span, message, "choose `refined`, or the exact reference")
         }
         ReferenceName::Exact => Ok(ReferencePlan::Exact),
         ReferenceName::None => Ok(ReferencePlan::None),
@@ -120,10 +115,12 @@ fn in_range(n: usize, span: Range<usize>) -> Result<usize, Fault> {
     refuse(span, format!("{n} cells, where 1 to {MOST_CELLS} are possible"), "choose, e.g., [8, 16, 32, 64, 128]")
 }
 
-/// The levels of the quick and the full profile. Only a control may repeat a mesh.
+/// The levels of the quick and the full profile. Only a control may repeat a mesh. On curved bodies a reference need not be a
+/// refinement of the levels, except where the family is made by refinement.
 pub fn levels(
     raw: Option<&RawLevels>,
     family: &Family,
+    is_curved: bool,
     reference: &ReferencePlan,
     control: bool,
     place: Range<usize>,
@@ -141,8 +138,10 @@ pub fn levels(
         halved(&lists[1], full_place.clone())?;
     }
     if let Some([end_quick, end_full]) = ends {
-        nested(&lists[0], end_quick, quick_place)?;
-        nested(&lists[1], end_full, full_place)?;
+        let by_halving = family.is_refined() || (family.is_nested() && !is_curved);
+        let fits = if by_halving { nested } else { finer };
+        fits(&lists[0], end_quick, quick_place)?;
+        fits(&lists[1], end_full, full_place)?;
     }
     Ok(lists)
 }
@@ -192,6 +191,16 @@ fn nested(levels: &[usize], reference: usize, span: Range<usize>) -> Result<(), 
         Some(n) => {
             let message = format!("the reference of {reference} cells does not arise from {n} cells by halving");
             refuse(span, message, "let the reference be a level's number times a power of two, and finer than all")
+        }
+    }
+}
+
+fn finer(levels: &[usize], reference: usize, span: Range<usize>) -> Result<(), Fault> {
+    match levels.iter().find(|n| **n >= reference) {
+        None => Ok(()),
+        Some(n) => {
+            let message = format!("the reference of {reference} cells is no finer than the level of {n}");
+            refuse(span, message, "let the reference be several times finer than every level")
         }
     }
 }

@@ -8,6 +8,7 @@ use super::layer::Layer;
 use super::raw::{Expect, RawBody, RawStudy};
 use super::{boundary, discretisation, exact, judge, lemma, material, plan, shape, words};
 use crate::claim::Claim;
+use crate::family::Domain;
 use crate::lemma::Lemma;
 use crate::record::Outcome;
 use crate::study::{Case, ReferencePlan, Scene, Study, Subject};
@@ -69,12 +70,19 @@ fn case(name: &Spanned<String>, layer: Layer<'_>, claim: &Claim) -> Result<Case,
     judge::is_measured(claim, lemma, place.clone())?;
     let family = plan::family(layer.family)?;
     let reference = match &subject {
-        Subject::Contact(scene) => plan::reference(layer.reference, scene.exact.is_some(), &family, place.clone())?,
+        Subject::Contact(scene) => plan::reference(layer.reference, scene.exact.is_some(), place.clone())?,
         // A function is known exactly; a constant is measured against nothing.
         Subject::Lemma(Lemma::BoundaryInterpolation { .. }) => ReferencePlan::Exact,
         Subject::Lemma(_) => ReferencePlan::None,
     };
-    let [quick, full] = plan::levels(layer.levels, &family, &reference, control, place.clone())?;
+    let domain = match &subject {
+        Subject::Contact(scene) => Some(scene.domain()),
+        Subject::Lemma(_) => None,
+    };
+    let is_curved = domain.as_ref().is_some_and(Domain::is_curved);
+    let is_located = domain.as_ref().is_some_and(|d| !d.nests(&family));
+    drop(domain);
+    let [quick, full] = plan::levels(layer.levels, &family, is_curved, &reference, control, place.clone())?;
     if lemma.is_some_and(Lemma::halves) {
         lemma::powers_of_two(&[&quick[..], &full[..]].concat(), plan::levels_place(layer.levels, place))?;
     }
@@ -86,7 +94,7 @@ fn case(name: &Spanned<String>, layer: Layer<'_>, claim: &Claim) -> Result<Case,
     let (bounds, expected_is_asymptotic) = judge::bounds(&claim.bounds, layer.expected)?;
     let mut case = Case {
         name: name.get_ref().clone(),
-        notes: notes(&layer, &subject, &reference),
+        notes: notes(&layer, &subject, &reference, is_located),
         subject,
         family,
         quick,
@@ -115,7 +123,7 @@ fn outcome(expect: Expect) -> Outcome {
 }
 
 /// Remarks of the exact solution, and the reasons given for gates and expectations.
-fn notes(layer: &Layer<'_>, subject: &Subject, reference: &ReferencePlan) -> Vec<String> {
+fn notes(layer: &Layer<'_>, subject: &Subject, reference: &ReferencePlan, is_located: bool) -> Vec<String> {
     let exact = match subject {
         Subject::Contact(scene) => scene.exact.as_ref(),
         Subject::Lemma(_) => None,
@@ -123,6 +131,12 @@ fn notes(layer: &Layer<'_>, subject: &Subject, reference: &ReferencePlan) -> Vec
     let mut notes = exact.map_or_else(Vec::new, |e| e.solution.notes());
     if let (Some(_), ReferencePlan::Overkill { .. }) = (exact, reference) {
         notes.push("loads come from the exact solution, errors are measured against the overkill reference".into());
+    }
+    if let (true, ReferencePlan::Overkill { .. }) = (is_located, reference) {
+        notes.push(
+            "the reference's mesh is not nested: errors by point location in the true geometry; no identity of energies, no ledger"
+                .into(),
+        );
     }
     let gates = layer.gates.and_then(|g| g.get_ref().reason.as_ref()).map(|r| format!("gates: {r}"));
     let expected = layer.expected.and_then(|e| e.get_ref().reason.as_ref()).map(|r| format!("expected rate: {r}"));

@@ -4,7 +4,7 @@ use super::{Profile, verify_exact};
 use crate::error::RunError;
 use crate::family;
 use crate::record::Level;
-use crate::study::{Case, ReferencePlan, Scene, Subject};
+use crate::study::{Case, Scene, Subject};
 use signorini_contact::problem::Problem;
 
 /// A level before it is solved.
@@ -42,16 +42,7 @@ pub fn check_case(case: &Case, profile: Profile) -> Result<Vec<CheckedLevel>, Ru
         Subject::Lemma(lemma) => return (0..cells.len()).map(|k| lemma.measure(cells, k).map(checked)).collect(),
     };
     verify_exact(case, scene)?;
-    let levels: Result<Vec<_>, _> = (0..cells.len()).map(|index| check_level(case, scene, cells, index)).collect();
-    if let ReferencePlan::Overkill { .. } = case.reference
-        && !case.family.is_nested()
-    {
-        return Err(RunError::Reference(format!(
-            "the family '{}' is not nested, so a finer mesh is no reference for it; use an exact solution, or a nested family",
-            case.family.name()
-        )));
-    }
-    levels
+    (0..cells.len()).map(|index| check_level(case, scene, cells, index)).collect()
 }
 
 fn checked(level: Level) -> CheckedLevel {

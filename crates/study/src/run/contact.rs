@@ -145,7 +145,7 @@ fn pressure_error(exact: &ExactScene, view: &ContactView, [p0, p1]: [f64; 2], cu
 }
 
 /// The largest distance of a point of `from` from the nearest of `to`; nothing where either is empty.
-fn farthest(from: &[Point], to: &[Point]) -> Option<f64> {
+pub(super) fn farthest(from: &[Point], to: &[Point]) -> Option<f64> {
     let nearest = |p: &Point| to.iter().map(|q| (p - q).norm()).fold(f64::INFINITY, f64::min);
     (!to.is_empty()).then(|| from.iter().map(nearest).reduce(f64::max)).flatten()
 }

@@ -6,6 +6,7 @@
 mod check;
 mod contact;
 mod level;
+mod overlay;
 mod partial;
 mod reference;
 pub mod timing;
@@ -224,7 +225,8 @@ fn measure_level(task: &Task, overkill: Option<&Overkill>, index: usize) -> Resu
     match (&task.case.reference, overkill, &task.scene.exact) {
         (ReferencePlan::Exact, _, Some(exact)) => task.against_exact(exact, index),
         (ReferencePlan::Overkill { .. }, Some(reference), _) => {
-            let at = reference::place_in_hierarchy(task, reference, index)?;
+            let nested = task.scene.domain().nests(&task.case.family);
+            let at = nested.then(|| reference::place_in_hierarchy(task, reference, index)).transpose()?;
             task.against_overkill(reference, at, index)
         }
         _ => task.without_reference(index),

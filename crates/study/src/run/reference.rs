@@ -37,7 +37,17 @@ pub fn place_in_hierarchy(task: &Task, overkill: &Overkill, index: usize) -> Res
 }
 
 /// Estimates the reference's own error from its place on the fitted curve and from its energy, the larger of the two, and
-/// writes each level's share: about `½(e_ref/e)²`, since on nested meshes the squares add.
+/// writes each level's share.
+///
+/// With `w = u_h − I u_h`, `I` the interpolant on the reference mesh, and `e_ref = ‖u − u_ref‖_A`,
+///
+/// ```text
+/// ‖u − u_h‖² = ‖u_ref − u_h‖² + e_ref² + 2A(u − u_ref, u_ref − I u_h) − 2A(u − u_ref, w)
+/// ```
+///
+/// `u_ref − I u_h` lies in the reference's space, to which its error is orthogonal, for a variational inequality nearly. So the
+/// share is about `½(e_ref/e)²` on nested meshes, where `w = 0` and the squares add, and at most `½(e_ref/e)² + e_ref ‖w‖/e²`
+/// elsewhere; by the triangle inequality never more than `e_ref/e`.
 pub fn contaminate(levels: &mut [Level], reference: &mut Reference) {
     let Reference::Overkill { h, energy, estimated_error, .. } = reference else { return };
     let Some(fit) = rate::all(levels, "energy").remove("energy") else { return };
@@ -50,8 +60,14 @@ pub fn contaminate(levels: &mut [Level], reference: &mut Reference) {
     let own = on_curve.max(by_energy);
     *estimated_error = Some(own);
     for level in levels {
-        level.budget.reference = level.errors.energy.filter(|e| *e > 0.0).map(|e| 0.5 * (own / e).powi(2));
+        let unresolved = level.budget.unresolved.unwrap_or(0.0);
+        level.budget.reference = level.errors.energy.filter(|e| *e > 0.0).map(|e| contamination(own / e, unresolved));
     }
+}
+
+/// The share of the measured error that an error of the reference of `own` times that size may have.
+fn contamination(own: f64, unresolved: f64) -> f64 {
+    f64::min(0.5 * own * own + own * unresolved, own)
 }
 
 #[cfg(test)]

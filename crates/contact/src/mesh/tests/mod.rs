@@ -3,12 +3,16 @@
 use super::blocks::{Pattern, QuadBlock, triangulate};
 use super::{Body, Mesh, PartOutline, Triangulation};
 use crate::Error;
-use crate::geometry::{Point, twice_area};
+use crate::element::CurvedElement;
+use crate::geometry::{CircularArc, ContactLine, Path, Point, SharedCurve, twice_area};
+use std::f64::consts::FRAC_PI_2;
+use std::sync::Arc;
 
 mod blocks;
 mod build;
 mod curved;
 mod hierarchy;
+mod locate;
 mod quality;
 mod refusals;
 
@@ -77,6 +81,30 @@ pub fn kinked(n: usize, pattern: Pattern) -> Scene {
         parts: vec![part(Body::First, "top", top), part(Body::Second, "bottom", bottom)],
         contact: points([[-1.0, 0.2], [0.0, 0.0], [1.0, 0.5]]).to_vec(),
     }
+}
+
+/// `Ω'` inside the quarter circle `r = 1` and above `x + y = 1/2`, `Ω''` between the circle and the square of side 2.
+pub fn quarter_disc(n: usize, element: CurvedElement) -> Mesh {
+    let arc: SharedCurve = Arc::new(CircularArc { centre: Point::zeros(), radius: 1.0, from: 0.0, to: FRAC_PI_2 });
+    let block = |corners, cells, on: usize| {
+        let mut curves = [const { None }; 4];
+        curves[on] = Some(arc.clone());
+        QuadBlock { corners: points(corners), cells, curves }
+    };
+    let m = [std::f64::consts::FRAC_1_SQRT_2; 2];
+    let disc = [block([[0.5, 0.0], [1.0, 0.0], [0.0, 1.0], [0.0, 0.5]], [n, 2 * n], 1)];
+    let frame = [
+        block([[1.0, 0.0], [2.0, 0.0], [2.0, 2.0], m], [2 * n, n], 3),
+        block([m, [2.0, 2.0], [0.0, 2.0], [0.0, 1.0]], [2 * n, n], 3),
+    ];
+    let bodies = [&disc[..], &frame[..]].map(|b| triangulate(b, Pattern::Structured).unwrap());
+    let parts = [
+        part(Body::First, "rest", [[0.0, 1.0], [0.0, 0.5], [0.5, 0.0], [1.0, 0.0]]),
+        part(Body::Second, "rest", [[1.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 1.0]]),
+    ];
+    let mut mesh = Mesh::build(bodies, &parts, &ContactLine::Common(Path::along(arc))).unwrap();
+    mesh.curved.element = element;
+    mesh
 }
 
 /// Area by the shoelace sum over the triangles of a body.

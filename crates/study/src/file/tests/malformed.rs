@@ -1,6 +1,6 @@
 //! Malformed studies: each is one edit away from a good one, and each error names its place.
 
-use crate::study::Study;
+use crate::study::{ReferencePlan, Study};
 use std::path::Path;
 
 /// A small good study; every malformed one replaces one piece of it.
@@ -124,7 +124,6 @@ const TABLE: &[Row] = &[
     ("amount = 0.2", "amount = 0.5", "0.5", "amount = 0.5 must lie between 0 and 0.5"),
     ("amount = 0.2 }", "}", "{ name = \"refined\"", "needs `seed` and `amount`"),
     ("name = \"refined\"", "name = \"structured\"", "1, amount", "says nothing about this family"),
-    ("name = \"refined\"", "name = \"perturbed\"", "\"two\"", "needs a nested family"),
     ("[levels]", "[reference]\nkind = \"exact\"\n[levels]", "[reference]", "the scene has no exact solution"),
     ("[levels]", "[solver]\ntolerance = 0\n[levels]", "0\n[levels]", "tolerance = 0 must lie between 0 and 1"),
     ("[levels]", "[gates]\nfall = 0.8\n[levels]", "[gates]", "gives no `reason`"),
@@ -156,6 +155,21 @@ fn checked((old, new, place, complaint): &Row) -> Result<(), String> {
     let seen = e.position.as_ref().map(|p| (p.line, p.column));
     let good = e.message.contains(complaint) && seen == Some(expected) && !e.next.is_empty();
     if good { Ok(()) } else { Err(format!("{new:?} should complain of {complaint:?} at {expected:?}:\n{e}")) }
+}
+
+/// Where no mesh refines another, a reference needs to be finer and no more.
+#[test]
+fn a_reference_of_a_family_that_is_not_nested_is_finer_than_its_levels() {
+    let alone = GOOD.replacen("[[case]]\nname = \"one\"\n", "", 1);
+    let perturbed = alone.replacen("name = \"refined\"", "name = \"perturbed\"", 1);
+    let with = |quick: &str| Study::parse(&perturbed.replacen("[8, 16, 32, 64]", quick, 1), Path::new("small.toml"));
+    let study = with("[8, 12, 100]").unwrap();
+    let perturbed = &study.cases[0];
+    assert_eq!((perturbed.family_name(), &perturbed.quick[..]), ("perturbed", &[8, 12, 100][..]));
+    assert_eq!(perturbed.reference, ReferencePlan::Overkill { quick: 256, full: 1024 });
+    assert!(perturbed.notes.iter().any(|n| n.contains("by point location")), "{:?}", perturbed.notes);
+    let e = with("[8, 16, 256]").err().unwrap();
+    assert!(e.message.contains("256 cells is no finer than the level of 256"), "{e}");
 }
 
 #[test]

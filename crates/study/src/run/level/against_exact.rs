@@ -49,6 +49,7 @@ impl ExactMeasurement<'_> {
             quadrature: share(load_change + energy_change + (e - base.energy_norm()).abs(), e, size),
             geometry: share(geometry_error(self.exact, materials, &self.task.scene.contact, self.mesh), e, size),
             reference: Some(0.0),
+            unresolved: None,
         };
         level.ledger = Some(self.ledger(&base, &fine));
     }

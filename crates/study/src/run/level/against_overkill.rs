@@ -50,6 +50,7 @@ impl Task<'_> {
             quadrature: share(load_change + load_gap / e.max(f64::MIN_POSITIVE), e, size),
             geometry: Some(0.0),
             reference: None,
+            unresolved: None,
         };
     }
 }

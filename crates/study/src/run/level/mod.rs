@@ -1,8 +1,11 @@
 //! One level of a case: mesh, solve, measure.
 
 mod against_exact;
+mod against_located;
 mod against_overkill;
 mod defects;
+#[cfg(test)]
+mod located_tests;
 mod parts;
 #[cfg(test)]
 mod tests;
@@ -86,11 +89,12 @@ impl Task<'_> {
         Ok((level, watch.finish()))
     }
 
-    /// Measures a level against a discrete reference on a nested finer mesh; `at` is the level's place in its hierarchy.
+    /// Measures a level against a discrete reference on a finer mesh; `at` is the level's place in its hierarchy, if that is
+    /// nested.
     pub fn against_overkill(
         &self,
         reference: &Overkill,
-        at: usize,
+        at: Option<usize>,
         index: usize,
     ) -> Result<(Level, LevelTimes), RunError> {
         let mut watch = Stopwatch::start();
@@ -106,7 +110,10 @@ impl Task<'_> {
         watch.lap(|t| &mut t.assembly);
         let solved = self.solve(&problem, discrete, &mut watch);
         let mut level = self.level(index, &meshed, &solved);
-        self.fill_from_overkill(&mut level, reference, at, mesh, &solved, &coarse_load);
+        match at {
+            Some(at) => self.fill_from_overkill(&mut level, reference, at, mesh, &solved, &coarse_load),
+            None => self.fill_from_located(&mut level, reference, mesh, &solved, &coarse_load),
+        }
         watch.lap(|t| &mut t.error);
         Ok((level, watch.finish()))
     }

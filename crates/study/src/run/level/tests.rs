@@ -73,7 +73,7 @@ fn errors_against_both_references_differ_by_that_of_the_discrete_one() {
         constrain: Zone::new,
     };
     let (reference, _) = short.overkill(32).unwrap();
-    let (level, _) = short.against_overkill(&reference, 0, 0).unwrap();
+    let (level, _) = short.against_overkill(&reference, Some(0), 0).unwrap();
     let measured = level.errors.energy.unwrap();
     let sum = measured.hypot(own);
     assert!((sum / coarse - 1.0).abs() < 2e-3 && own < 0.2 * coarse, "{coarse} {measured} {own}");
@@ -104,7 +104,7 @@ fn one_switch_point_is_off_by_the_length_that_the_contact_sets_differ_in() {
     let by_exact = [0, 1].map(|index| task(&case).against_exact(exact, index).unwrap().0);
     let case = sample::case("theorem-3-1-natural", "structured-overkill");
     let (reference, _) = task(&case).overkill(32).unwrap();
-    let by_overkill = [0, 1].map(|index| task(&case).against_overkill(&reference, index, index).unwrap().0);
+    let by_overkill = [0, 1].map(|index| task(&case).against_overkill(&reference, Some(index), index).unwrap().0);
     for level in by_exact.iter().chain(&by_overkill) {
         let (position, length) = (level.errors.switch_position.unwrap(), level.errors.contact_set.unwrap());
         assert!(position > 1e-3 && (position - length).abs() < 1e-12, "n = {}: {position} {length}", level.cells);
