@@ -215,6 +215,8 @@ pub struct Block {
     pub divisions: [usize; 2],
     /// The curve of side `k`, from corner `k` to corner `k + 1`; none where it is straight.
     pub curves: [Option<SharedCurve>; 4],
+    /// How many times as long the last cell is as the first, in the two directions; `[1, 1]` is even.
+    pub grading: [f64; 2],
 }
 
 /// A named boundary part and its condition.

@@ -8,6 +8,7 @@ use super::number::Finite;
 use super::raw::{RawBoundary, RawExact, RawField, RawPoint, RawTraces};
 use crate::claim::Claim;
 use crate::study::{Block, Case, Scene, Subject};
+use signorini_contact::mesh::blocks::EVEN;
 use signorini_contact::{Material, Point};
 use std::fmt::Write;
 use toml::Spanned;
@@ -60,8 +61,11 @@ impl Lines {
 
 fn bodies(lines: &mut Lines, scene: &Scene, layer: &Layer<'_>) {
     for (i, raw) in layer.body.unwrap_or_default().iter().enumerate() {
-        for Block { corners, divisions, curves } in &scene.bodies[i].blocks {
+        for Block { corners, divisions, curves, grading } in &scene.bodies[i].blocks {
             lines.put("block", format!("{} {divisions:?}", points(corners)));
+            if *grading != EVEN {
+                lines.put("grading", format!("{grading:?}"));
+            }
             for (k, curve) in curves.iter().enumerate() {
                 if let Some(curve) = curve {
                     lines.put("curved side", format!("{k} {}", curve.describe()));

@@ -105,6 +105,7 @@ pub struct RawBlock {
     pub corners: Spanned<Fixed<RawPoint, 4>>,
     pub divisions: Option<Spanned<Fixed<usize, 2>>>,
     pub curves: Option<Fixed<Spanned<String>, 4>>,
+    pub grading: Option<Spanned<Fixed<Finite, 2>>>,
 }
 
 #[derive(Deserialize)]
