@@ -3,6 +3,7 @@
 use super::Family;
 use super::perturb::{Guard, perturb, turn_diagonals};
 use super::random::Random;
+use super::unstructured;
 use crate::study::{Discretisation, Shape};
 use signorini_contact::mesh::blocks::{QuadBlock, triangulate};
 use signorini_contact::mesh::{CurvedSides, Hierarchy, Mesh, PartOutline, Quality, Triangulation};
@@ -154,7 +155,14 @@ impl Scene<'_> {
 
     /// The mesh of `n` cells by itself. Random numbers depend on the seed and on `n` alone.
     fn fresh(&self, n: usize) -> Result<Mesh, Error> {
-        let mut bodies = [self.triangulate(0, n)?, self.triangulate(1, n)?];
+        let mut bodies = match *self.family {
+            Family::Delaunay { seed } => unstructured::independent(self.domain, n, seed)?,
+            Family::RefinedDelaunay { seed } => unstructured::coarse(self.domain, n, seed)?,
+            Family::Graded { seed, towards, strength } => {
+                unstructured::graded(self.domain, n, seed, towards, strength)?
+            }
+            _ => [self.triangulate(0, n)?, self.triangulate(1, n)?],
+        };
         let guard = Guard::of(&bodies);
         let mut random = Random::new(self.family.seed(), n as u64);
         if matches!(self.family, Family::Refined { .. }) {

@@ -6,7 +6,13 @@
 //! | union-jack | a fresh mesh | no |
 //! | perturbed | a fresh structured mesh, moved at random | no |
 //! | refined | one irregular coarse mesh, refined red | yes |
+//! | delaunay | an independent Delaunay mesh | no |
+//! | graded | an independent Delaunay mesh with sides that shrink towards a point | no |
+//!
+//! On bodies with curved sides no family is nested, since new nodes go to the curves; only `refined` is made by refinement
+//! there.
 
+use signorini_contact::Point;
 use signorini_contact::mesh::blocks::Pattern;
 
 pub mod delaunay;
@@ -15,6 +21,7 @@ mod perturb;
 pub(crate) mod random;
 #[cfg(test)]
 mod tests;
+mod unstructured;
 
 pub use level::{Domain, Level, build_level, build_reference, refinements};
 
@@ -41,6 +48,25 @@ pub enum Family {
         /// Largest move as a share of the coarse cell.
         amount: f64,
     },
+    /// Red refinement of one Delaunay mesh; on curved bodies strongly regular with `β = 2` on every level.
+    RefinedDelaunay {
+        /// Seed of the coarse mesh.
+        seed: u64,
+    },
+    /// An independent Delaunay mesh on each level.
+    Delaunay {
+        /// Seed of the meshes.
+        seed: u64,
+    },
+    /// The same with sides that shrink towards a point: regular, not quasi-uniform.
+    Graded {
+        /// Seed of the meshes.
+        seed: u64,
+        /// The point.
+        towards: Point,
+        /// `γ` of the side length `h (max(r, h)/R)^γ`, between 0 and 1.
+        strength: f64,
+    },
 }
 
 impl Family {
@@ -51,14 +77,20 @@ impl Family {
             Self::CrissCross => "criss-cross",
             Self::UnionJack => "union-jack",
             Self::Perturbed { .. } => "perturbed",
-            Self::Refined { .. } => "refined",
+            Self::Refined { .. } | Self::RefinedDelaunay { .. } => "refined",
+            Self::Delaunay { .. } => "delaunay",
+            Self::Graded { .. } => "graded",
         }
     }
 
     /// The seed of a random family, 0 where nothing is random.
     pub fn seed(&self) -> u64 {
         match *self {
-            Self::Perturbed { seed, .. } | Self::Refined { seed, .. } => seed,
+            Self::Perturbed { seed, .. }
+            | Self::Refined { seed, .. }
+            | Self::RefinedDelaunay { seed }
+            | Self::Delaunay { seed }
+            | Self::Graded { seed, .. } => seed,
             _ => 0,
         }
     }
@@ -66,18 +98,19 @@ impl Family {
     /// Whether, on bodies with straight sides, levels are refinements of the coarsest mesh, so that coarse fields can be
     /// prolonged.
     pub fn is_nested(&self) -> bool {
-        matches!(self, Self::Structured | Self::CrissCross | Self::Refined { .. })
+        matches!(self, Self::Structured | Self::CrissCross | Self::Refined { .. } | Self::RefinedDelaunay { .. })
     }
 
     /// Whether every level is a refinement of the coarsest mesh, on curved bodies too.
     pub fn is_refined(&self) -> bool {
-        matches!(self, Self::Refined { .. })
+        matches!(self, Self::Refined { .. } | Self::RefinedDelaunay { .. })
     }
 
     /// How the cells of a fresh mesh are cut.
     fn pattern(&self) -> Pattern {
         match self {
             Self::Structured | Self::Perturbed { .. } | Self::Refined { .. } => Pattern::Structured,
+            Self::RefinedDelaunay { .. } | Self::Delaunay { .. } | Self::Graded { .. } => Pattern::Structured,
             Self::CrissCross => Pattern::CrissCross,
             Self::UnionJack => Pattern::UnionJack,
         }

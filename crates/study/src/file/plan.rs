@@ -1,7 +1,8 @@
 //! How a case is computed: family, levels, reference, solver.
 
 use super::error::{Fault, refuse};
-use super::raw::{FamilyName, RawFamily, RawLevels, RawReference, RawSolver, ReferenceName, SolverName};
+use super::raw::{CoarseName, FamilyName, RawFamily, RawLevels, RawReference, RawSolver, ReferenceName, SolverName};
+use super::shape::point;
 use crate::family::{Family, refinements};
 use crate::study::ReferencePlan;
 use signorini_contact::solver::{Method, Settings};
@@ -15,18 +16,55 @@ const MOST_CELLS: usize = 8192;
 pub fn family(raw: Option<&Spanned<RawFamily>>) -> Result<Family, Fault> {
     let Some(raw) = raw else { return Ok(Family::Structured) };
     let f = raw.get_ref();
-    let plain = match f.name {
+    refuse_superfluous(f)?;
+    let from_delaunay = f.coarse.as_ref().is_some_and(|c| *c.get_ref() == CoarseName::Delaunay);
+    Ok(match f.name {
         FamilyName::Structured => Family::Structured,
         FamilyName::CrissCross => Family::CrissCross,
         FamilyName::UnionJack => Family::UnionJack,
-        FamilyName::Perturbed => return random(raw).map(|(seed, amount)| Family::Perturbed { seed, amount }),
-        FamilyName::Refined => return random(raw).map(|(seed, amount)| Family::Refined { seed, amount }),
-    };
-    let superfluous = f.seed.as_ref().map(Spanned::span).or(f.amount.as_ref().map(Spanned::span));
-    match superfluous {
-        Some(span) => refuse(span, "`seed` and `amount` belong to random families", "leave it out"),
-        None => Ok(plain),
+        FamilyName::Perturbed => random(raw).map(|(seed, amount)| Family::Perturbed { seed, amount })?,
+        FamilyName::Refined if from_delaunay => Family::RefinedDelaunay { seed: seed(raw)? },
+        FamilyName::Refined => random(raw).map(|(seed, amount)| Family::Refined { seed, amount })?,
+        FamilyName::Delaunay => Family::Delaunay { seed: seed(raw)? },
+        FamilyName::Graded => graded(raw)?,
+    })
+}
+
+/// Fields that mean nothing for the family.
+fn refuse_superfluous(f: &RawFamily) -> Result<(), Fault> {
+    use FamilyName::{Delaunay, Graded, Perturbed, Refined};
+    let from_delaunay = f.coarse.as_ref().is_some_and(|c| *c.get_ref() == CoarseName::Delaunay);
+    let fields = [
+        ("seed", f.seed.as_ref().map(Spanned::span), [Perturbed, Refined, Delaunay, Graded].contains(&f.name)),
+        ("amount", f.amount.as_ref().map(Spanned::span), [Perturbed, Refined].contains(&f.name) && !from_delaunay),
+        ("coarse", f.coarse.as_ref().map(Spanned::span), f.name == Refined),
+        ("towards", f.towards.as_ref().map(Spanned::span), f.name == Graded),
+        ("strength", f.strength.as_ref().map(Spanned::span), f.name == Graded),
+    ];
+    match fields.into_iter().find_map(|(name, span, belongs)| span.filter(|_| !belongs).map(|s| (name, s))) {
+        None => Ok(()),
+        Some((name, span)) => refuse(span, format!("`{name}` says nothing about this family"), "leave it out"),
     }
+}
+
+fn seed(raw: &Spanned<RawFamily>) -> Result<u64, Fault> {
+    match &raw.get_ref().seed {
+        Some(seed) => Ok(*seed.get_ref()),
+        None => refuse(raw.span(), "a Delaunay family needs `seed`", "give one, e.g. seed = 1"),
+    }
+}
+
+fn graded(raw: &Spanned<RawFamily>) -> Result<Family, Fault> {
+    let f = raw.get_ref();
+    let (Some(towards), Some(strength)) = (&f.towards, &f.strength) else {
+        let next = "give both, e.g. towards = [0, 0], strength = 0.5";
+        return refuse(raw.span(), "a graded family needs `towards` and `strength`", next);
+    };
+    let gamma = strength.get_ref().0;
+    if !(0.0 < gamma && gamma < 1.0) {
+        return refuse(strength.span(), format!("strength = {gamma} must lie between 0 and 1"), "0.5 is a good choice");
+    }
+    Ok(Family::Graded { seed: seed(raw)?, towards: point(towards.get_ref()), strength: gamma })
 }
 
 fn random(raw: &Spanned<RawFamily>) -> Result<(u64, f64), Fault> {
@@ -98,7 +136,7 @@ pub fn levels(
     let place = |list: Option<&Spanned<Vec<usize>>>| list.map_or(place.clone(), Spanned::span);
     let (quick_place, full_place) = (place(quick), place(full));
     let lists = [profile(quick, last[0], control)?, profile(full, last[1], control)?];
-    if matches!(family, Family::Refined { .. }) {
+    if family.is_refined() {
         halved(&lists[0], quick_place.clone())?;
         halved(&lists[1], full_place.clone())?;
     }

@@ -332,9 +332,19 @@ pub struct RawFamily {
     pub name: FamilyName,
     pub seed: Option<Spanned<u64>>,
     pub amount: Option<Spanned<Finite>>,
+    pub coarse: Option<Spanned<CoarseName>>,
+    pub towards: Option<Spanned<RawPoint>>,
+    pub strength: Option<Spanned<Finite>>,
 }
 
-#[derive(Clone, Copy, Deserialize)]
+#[derive(Clone, Copy, Deserialize, PartialEq)]
+#[serde(rename_all = "kebab-case")]
+pub enum CoarseName {
+    Perturbed,
+    Delaunay,
+}
+
+#[derive(Clone, Copy, Deserialize, PartialEq)]
 #[serde(rename_all = "kebab-case")]
 pub enum FamilyName {
     Structured,
@@ -342,6 +352,8 @@ pub enum FamilyName {
     UnionJack,
     Perturbed,
     Refined,
+    Delaunay,
+    Graded,
 }
 
 #[derive(Default, Deserialize)]

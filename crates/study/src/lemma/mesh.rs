@@ -109,7 +109,6 @@ impl DomainMesh {
             h: self.boundary.iter().map(far).fold(longest, f64::max),
             min_angle: f64::atan2(1.0, cotangent).to_degrees(),
             side_ratio: longest / shortest,
-            straight_over_chord: None,
         }
     }
 

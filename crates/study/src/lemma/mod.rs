@@ -141,7 +141,7 @@ fn interval_level(intervals: &Intervals, n: usize, index: usize) -> Level {
     let lengths = || points.windows(2).map(|w| w[1] - w[0]);
     let h = lengths().fold(0.0, f64::max);
     let side_ratio = h / lengths().fold(f64::INFINITY, f64::min);
-    let quality = Quality { h, min_angle: 0.0, side_ratio, straight_over_chord: None };
+    let quality = Quality { h, min_angle: 0.0, side_ratio };
     let bytes: Vec<u8> = points.iter().flat_map(|x| x.to_le_bytes()).collect();
     let certificate = Certificate { quality, nodes: points.len(), hash: format!("{:016x}", fnv1a(&bytes)) };
     let errors = Errors { constant: Some(intervals.constant(&points)), ..Errors::default() };
@@ -161,7 +161,7 @@ fn level(index: usize, cells: usize, certificate: Certificate, errors: Errors, b
         h: quality.h,
         min_angle: quality.min_angle,
         side_ratio: quality.side_ratio,
-        straight_over_chord: quality.straight_over_chord,
+        straight_over_chord: None,
         nested: false,
         // two components in every node
         dofs: 2 * nodes,
