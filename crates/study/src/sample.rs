@@ -52,6 +52,7 @@ pub(crate) fn level(k: usize, error: f64) -> Level {
         excluded: None,
         solution_energy: Some(1.0),
         solution_trace: Some(1.0),
+        contact: None,
     }
 }
 
@@ -82,6 +83,7 @@ pub(crate) fn record(study: &str, case: &str, levels: Vec<Level>) -> StudyRecord
         expect: None,
         expected_inconclusive: None,
         notes: Vec::new(),
+        zone: None,
     }
 }
 

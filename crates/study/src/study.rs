@@ -4,7 +4,7 @@ use crate::claim::Claim;
 use crate::exact::Exact;
 use crate::family::Family;
 use crate::lemma::Lemma;
-use crate::record::{Bounds, Outcome};
+use crate::record::{Bounds, FormulaValues, Outcome};
 use signorini_contact::element::CurvedElement;
 use signorini_contact::geometry::SharedCurve;
 use signorini_contact::{Body, ContactLine, Material, Path, Point, Vec2, mesh, solver};
@@ -172,6 +172,19 @@ pub struct Scene {
     pub body_force: [Option<VectorField>; 2],
     /// The exact solution, with the materials that it solves for.
     pub exact: Option<ExactScene>,
+    /// Whether the scene is one half of a symmetric one and the contact zone starts on the axis.
+    pub symmetric: bool,
+    /// What a formula says of the contact.
+    pub formula: Option<Formula>,
+}
+
+/// What a formula of engineering says of the contact. It neglects something; nothing is solved with it.
+#[derive(Clone)]
+pub struct Formula {
+    /// Force, half width and peak pressure.
+    pub values: FormulaValues,
+    /// The pressure at a point of `∂Ω'` in the zone, per length or, across a gap, per width in `η`.
+    pub pressure: Option<Arc<dyn Fn(Point) -> f64 + Send + Sync>>,
 }
 
 /// How curved sides and the contact zone are discretised: as in the paper, unless a control plants a defect.

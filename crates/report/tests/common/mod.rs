@@ -80,6 +80,7 @@ pub fn blank(levels: Vec<Level>) -> StudyRecord {
         expect: None,
         expected_inconclusive: None,
         notes: vec!["the mesh is symmetric".into()],
+        zone: None,
     }
 }
 
@@ -117,6 +118,7 @@ fn level(k: usize, errors: impl Fn(f64) -> Errors) -> Level {
         excluded: None,
         solution_energy: Some(1.0),
         solution_trace: Some(1.0),
+        contact: None,
     }
 }
 

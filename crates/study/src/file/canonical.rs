@@ -38,6 +38,13 @@ fn contact(lines: &mut Lines, scene: &Scene, layer: &Layer<'_>) {
         lines.put("part", format!("{:?} {} {}", part.body, part.along.describe(), condition(raw)));
     }
     lines.put("contact", scene.contact.describe());
+    if scene.symmetric {
+        lines.put("symmetric", "true");
+    }
+    if let (Some(raw), Some(formula)) = (layer.formula, &scene.formula) {
+        let pressure = raw.get_ref().pressure.as_ref().map(|p| p.get_ref());
+        lines.put("formula", format!("{:?} {pressure:?}", formula.values));
+    }
     if scene.discretisation != Default::default() {
         lines.put("discretisation", format!("{:?}", scene.discretisation));
     }

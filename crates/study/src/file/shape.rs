@@ -157,6 +157,6 @@ pub fn on_sides(points: &[Point], shape: &Shape, span: Range<usize>) -> Result<(
 }
 
 fn sides(block: &Block) -> [Piece; 4] {
-    let quad = QuadBlock { corners: block.corners, cells: [1, 1], curves: block.curves.clone(), grading: EVEN };
+    let quad = QuadBlock { curves: block.curves.clone(), ..QuadBlock::straight(block.corners, [1, 1]) };
     [0, 1, 2, 3].map(|k| quad.side(k))
 }

@@ -181,5 +181,6 @@ fn level(index: usize, cells: usize, certificate: Certificate, errors: Errors, b
         excluded: None,
         solution_energy: None,
         solution_trace: None,
+        contact: None,
     }
 }

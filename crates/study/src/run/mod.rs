@@ -5,8 +5,10 @@
 
 mod check;
 mod contact;
+mod contact_width;
 mod level;
 mod partial;
+mod profile;
 mod reference;
 pub mod timing;
 #[cfg(test)]
@@ -241,6 +243,7 @@ fn conclude(
 ) -> StudyRecord {
     let claim = &study.claim;
     reference::contaminate(&mut levels, &mut reference);
+    let zone = levels.last_mut().and_then(|level| level.contact.as_mut()?.profile.take());
     verdict::exclude_levels(&mut levels, &case.gates);
     let rates = rate::all(&levels, &claim.norm);
     let verdict = verdict::judge(&JudgeInput {
@@ -278,6 +281,7 @@ fn conclude(
         expect: case.expect,
         expected_inconclusive: case.inconclusive_at_quick.clone().filter(|_| quick),
         notes,
+        zone,
     }
 }
 

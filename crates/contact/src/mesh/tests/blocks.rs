@@ -85,10 +85,8 @@ fn graded_cells_grow_by_one_factor_and_nest() {
 fn blocks_that_grade_a_shared_side_alike_are_glued() {
     let left = QuadBlock { grading: [0.25, 9.0], ..square([0.0, 0.0], 4) };
     // its direction 0 → 1 runs down the shared side
-    let right = |g: f64| QuadBlock {
-        grading: [g, 3.0],
-        ..block([[1.0, 1.0], [1.0, 0.0], [2.0, 0.0], [2.0, 1.0]], [4, 3])
-    };
+    let right =
+        |g: f64| QuadBlock { grading: [g, 3.0], ..block([[1.0, 1.0], [1.0, 0.0], [2.0, 0.0], [2.0, 1.0]], [4, 3]) };
     let mesh = triangulate(&[left.clone(), right(1.0 / 9.0)], Pattern::CrissCross).unwrap();
     assert_eq!(mesh.points.len(), 25 + 16 + 5 * 4 - 5 + 12);
     assert!((area(&mesh) - 2.0).abs() < 1e-14);
