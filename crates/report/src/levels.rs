@@ -3,7 +3,7 @@
 use crate::format;
 use crate::norm::{self, Norm, Trust};
 use crate::table::{Cell, Column, Row, Table};
-use signorini_study::record::{ClaimKind, Ledger, Level, Rate, StudyRecord};
+use signorini_study::record::{ClaimKind, ContactMeasure, FormulaValues, Ledger, Level, Rate, StudyRecord};
 
 /// Norms that carry a pairwise rate (EOC) beside them in [`errors`].
 const WITH_RATE: [&str; 4] = ["energy", "strain", "h1", "l2"];
@@ -34,6 +34,7 @@ pub fn all(record: &StudyRecord) -> Table {
     let mut columns = size_columns();
     columns.extend(error_columns(record));
     columns.extend(contact_columns());
+    columns.extend(formula_columns());
     columns.extend(ledger_columns());
     columns.extend(solution_columns());
     build(record, columns)
@@ -58,6 +59,15 @@ pub fn contact(record: &StudyRecord) -> Table {
     let table = without_empty(build(record, columns));
     // level and h alone are no table
     if table.columns.len() > 2 { table } else { Table::default() }
+}
+
+/// Half width, peak pressure and force beside those of the study's formula; empty if it states none.
+pub fn formula(record: &StudyRecord) -> Table {
+    let mut columns = vec![level_column(), h_column()];
+    columns.extend(formula_columns());
+    let table = without_empty(build(record, columns));
+    let compared = record.levels.iter().any(|l| l.errors.size("formula").is_some());
+    if compared { table } else { Table::default() }
 }
 
 /// The ledger's terms; `None` if no level has a ledger.
@@ -211,6 +221,25 @@ fn contact_columns() -> Vec<Measured<'static>> {
         measured("contact_set", "contact set |C △ Cₕ|", |l| Cell::number(l.errors.contact_set)),
         measured("switch_position", "switch point", |l| Cell::number(l.errors.switch_position)),
         measured("energy_gap", "L(uₕ)−L(u)", |l| Cell::number(l.errors.energy_gap)),
+    ]
+}
+
+/// Each measured number, the formula's, and their relative difference.
+fn formula_columns() -> Vec<Measured<'static>> {
+    let number = |value: fn(&ContactMeasure) -> f64| move |l: &Level| Cell::number(l.contact.as_ref().map(value));
+    let given = |value: fn(&FormulaValues) -> Option<f64>| {
+        move |l: &Level| Cell::number(l.contact.as_ref().and_then(|c| value(c.formula.as_ref()?)))
+    };
+    vec![
+        measured("half_width", "half width", number(|c| c.half_width)),
+        measured("half_width_formula", "by the formula", given(|f| f.half_width)),
+        measured("half_width_difference", "difference", |l| Cell::number(l.errors.half_width)),
+        measured("peak_pressure", "peak pressure", number(|c| c.peak_pressure)),
+        measured("peak_pressure_formula", "by the formula", given(|f| f.peak_pressure)),
+        measured("peak_pressure_difference", "difference", |l| Cell::number(l.errors.peak_pressure)),
+        measured("force", "force", number(|c| c.force)),
+        measured("force_formula", "by the formula", given(|f| f.force)),
+        measured("force_difference", "difference", |l| Cell::number(l.errors.force)),
     ]
 }
 

@@ -14,6 +14,8 @@ pub struct Pictures {
     pub rates: bool,
     /// `ledger.png`.
     pub ledger: bool,
+    /// `pressure.png`.
+    pub pressure: bool,
 }
 
 /// `report.md` of one case.
@@ -28,6 +30,7 @@ pub fn page(record: &StudyRecord, pictures: Pictures) -> String {
         errors(record, pictures.rates),
         ledger(record, pictures.ledger),
         table_section("Contact", &levels::contact(record), CONTACT_LEGEND),
+        pressure(record, pictures.pressure),
         certificate(record),
         notes(record),
         reproduce(record),
@@ -45,6 +48,10 @@ where they sit in their sides, so it falls unevenly or vanishes; its bound is wh
 in the energy norm are rounding.";
 const CONTACT_LEGEND: &str = "Active: constraints whose multiplier exceeds 1e-8 of the largest. Contact set: length of \
 the symmetric difference with the reference's. Switch point: largest distance of one of the reference's switch points from the nearest discrete one.";
+const FORMULA_LEGEND: &str = "The formula neglects something, the shape of the bodies far from the contact for instance, so \
+the differences need not vanish with h. Force: sum of the multipliers. Half width: half the measure of the contact set, each \
+switch point placed in its side by the gap beyond it. Peak pressure: the largest λᵢ/mᵢ. Of a symmetric half model all are \
+those of the whole.";
 const SOLUTION_LEGEND: &str = "Two-way: relative difference of A(e,e) by quadrature and by energies. KKT: scaled \
 residuals of the optimality conditions, recomputed from the raw data. Algebraic, quadrature, geometry, reference: \
 shares of the energy error that are not discretisation.";
@@ -225,6 +232,16 @@ fn ledger(record: &StudyRecord, picture: bool) -> String {
     };
     let image = image(picture, "ledger.png", "Terms of the ledger against mesh size");
     section("Ledger", &format!("{image}{}\n{LEDGER_LEGEND}", table.to_markdown()))
+}
+
+/// The contact pressure of the finest level, and what a formula says of it.
+fn pressure(record: &StudyRecord, picture: bool) -> String {
+    let image = image(picture, "pressure.png", "Contact pressure and gap along the zone");
+    let table = match levels::formula(record) {
+        table if table.rows.is_empty() => String::new(),
+        table => format!("{}\n{FORMULA_LEGEND}", table.to_markdown()),
+    };
+    section("Contact pressure", &format!("{image}{table}"))
 }
 
 fn image(there: bool, file: &str, words: &str) -> String {

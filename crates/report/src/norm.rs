@@ -70,7 +70,7 @@ impl Trust {
 }
 
 /// Every norm, in the order of tables and legends.
-pub const NORMS: [Norm; 13] = [
+pub const NORMS: [Norm; 17] = [
     errors_field!("strain", "strain", "|u−uₕ|", strain),
     errors_field!("energy", "energy", "√A(e,e)", energy),
     errors_field!("h1", "H¹", "‖u−uₕ‖₁", h1),
@@ -83,6 +83,15 @@ pub const NORMS: [Norm; 13] = [
     errors_field!("interpolation", "interpolation", "√A(u−u_I,u−u_I)", interpolation),
     errors_field!("boundary_l2", "boundary L²", "‖u−u_I‖₀ on ∂Ω", boundary_l2),
     errors_field!("constant", "constant", "c", constant),
+    errors_field!("half_width", "half width", "aₕ/a − 1", half_width),
+    errors_field!("peak_pressure", "peak pressure", "max pₕ/p₀ − 1", peak_pressure),
+    errors_field!("force", "force", "Σλ/P − 1", force),
+    Norm {
+        key: "formula",
+        words: "difference from the formula",
+        symbol: "(largest)",
+        value: |level| level.errors.size("formula"),
+    },
     Norm { key: "b_over_h2", words: "constant", symbol: "b/h²", value: b_over_h2 },
 ];
 
