@@ -115,6 +115,7 @@ pub(crate) fn kind_words(kind: ClaimKind) -> &'static str {
         ClaimKind::Exact => "exact to rounding on every level",
         ClaimKind::Convergence => "convergence from level to level",
         ClaimKind::Bounded => "a bounded constant",
+        ClaimKind::Agreement => "agreement on the finest level",
     }
 }
 

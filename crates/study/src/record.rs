@@ -244,11 +244,19 @@ impl Errors {
             "energy_gap" => self.energy_gap.map(f64::abs),
             "boundary_l2" => self.boundary_l2,
             "constant" => self.constant,
-            "half_width" => self.half_width.map(f64::abs),
-            "peak_pressure" => self.peak_pressure.map(f64::abs),
-            "force" => self.force.map(f64::abs),
+            _ => self.difference(name).map(f64::abs),
+        }
+    }
+
+    /// The signed difference of one of the names of [`Errors::OF_FORMULA`]; of `formula` the one farthest from zero.
+    pub fn difference(&self, name: &str) -> Option<f64> {
+        match name {
+            "half_width" => self.half_width,
+            "peak_pressure" => self.peak_pressure,
+            "force" => self.force,
             "formula" => {
-                [self.half_width, self.peak_pressure, self.force].into_iter().flatten().map(f64::abs).reduce(f64::max)
+                let all = [self.half_width, self.peak_pressure, self.force].into_iter().flatten();
+                all.reduce(|a, b| if b.abs() > a.abs() { b } else { a })
             }
             _ => None,
         }
@@ -403,6 +411,8 @@ pub enum ClaimKind {
     Convergence,
     /// The largest over the smallest constant of the levels or cases is bounded.
     Bounded,
+    /// The difference from a formula is small on the finest level.
+    Agreement,
 }
 
 /// Pass, fail or inconclusive. Ordered from best to worst, so the worst of several is their maximum.

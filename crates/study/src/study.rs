@@ -135,7 +135,8 @@ pub struct Gates {
     pub fall: f64,
     /// Kind `bounded`: largest over smallest constant, or largest over `constant` where that is given (2).
     pub spread: f64,
-    /// Kind `bounded`: the reference constant of an upper bound that may vanish on some meshes (none).
+    /// Kind `bounded`: the reference constant of an upper bound that may vanish on some meshes; kind `agreement`: the largest
+    /// relative difference (none).
     pub constant: Option<f64>,
     /// Largest share of a budget item (0.05).
     pub share: f64,

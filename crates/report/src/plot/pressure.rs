@@ -4,7 +4,7 @@ use super::chart::Colour;
 use super::zone_chart::{Trace, ZoneChart};
 use crate::format;
 use crate::summary::name;
-use signorini_study::record::{ContactMeasure, FormulaValues, Level, PressureSource, StudyRecord, ZoneProfile};
+use signorini_study::record::{ContactMeasure, Level, PressureSource, StudyRecord, ZoneProfile};
 
 /// A node counts as in contact when its pressure exceeds this share of the largest.
 const ACTIVE: f64 = 1e-8;
@@ -60,16 +60,11 @@ fn coordinate_words(zone: &ZoneProfile) -> &'static str {
     }
 }
 
-/// `half width 0.0997 (formula 0.1000, −0.3 %) · peak …`; force last.
+/// `half width 0.0997 (formula 0.1000, −0.27 %) · peak pressure …`
 fn numbers(contact: &ContactMeasure) -> String {
     let formula = contact.formula.clone().unwrap_or_default();
-    let FormulaValues { force, half_width, peak_pressure } = formula;
-    let parts = [
-        number("half width", contact.half_width, half_width),
-        number("peak pressure", contact.peak_pressure, peak_pressure),
-        number("force", contact.force, force),
-    ];
-    parts.join(" · ")
+    let width = number("half width", contact.half_width, formula.half_width);
+    format!("{width} · {}", number("peak pressure", contact.peak_pressure, formula.peak_pressure))
 }
 
 fn number(words: &str, measured: f64, formula: Option<f64>) -> String {

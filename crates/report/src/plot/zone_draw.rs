@@ -15,6 +15,9 @@ const LOWER: f64 = 0.3;
 /// Between two labels of an axis.
 const APART: f64 = 60.0;
 
+/// Shortest stroke of a line.
+const STRIDE: f64 = 8.0;
+
 /// A panel in pixels (downwards), and what its sides stand for.
 struct Panel {
     left: f64,
@@ -104,11 +107,23 @@ fn trace<DB: DrawingBackend>(t: &Trace, canvas: &Canvas<DB>, p: &Panel) -> Drawn
     let inside = |(x, _): &(f64, f64)| (p.x.low..=p.x.high).contains(x);
     let pixels: Vec<(f64, f64)> = t.points.iter().copied().filter(inside).map(|xy| p.at(xy)).collect();
     if !t.marks {
-        return canvas.line(&pixels, t.colour, 2.5, 1.0);
+        return canvas.line(&thinned(&pixels), t.colour, 2.5, 1.0);
     }
     canvas.line(&pixels, t.colour, 1.0, 0.35)?;
     let radius = radius(&pixels);
     pixels.iter().try_for_each(|at| canvas.mark(*at, radius, Shape::Circle, t.colour, MarkKind::Used))
+}
+
+/// Points at least [`STRIDE`] apart, and the last one: shorter strokes would show the rounding to whole dots.
+fn thinned(pixels: &[(f64, f64)]) -> Vec<(f64, f64)> {
+    let mut kept: Vec<(f64, f64)> = Vec::with_capacity(pixels.len());
+    for (i, at) in pixels.iter().enumerate() {
+        let far = kept.last().is_none_or(|k| (at.0 - k.0).hypot(at.1 - k.1) >= STRIDE);
+        if far || i + 1 == pixels.len() {
+            kept.push(*at);
+        }
+    }
+    kept
 }
 
 /// Small enough that neighbours can be told apart, large enough to be seen.

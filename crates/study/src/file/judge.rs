@@ -6,7 +6,7 @@ use super::raw::{RawClaim, RawExpected, RawGates, RawStudy};
 use super::words::suggestion;
 use crate::claim::Claim;
 use crate::claim::catalogue::{Standing, catalogue, find};
-use crate::record::{Bounds, Errors, FormulaValues};
+use crate::record::{Bounds, ClaimKind, Errors, FormulaValues};
 use crate::study::{Gates, Scene, Subject};
 use std::ops::Range;
 use toml::Spanned;
@@ -44,6 +44,15 @@ fn own_claim(raw: &RawClaim) -> Result<Claim, Fault> {
     let known: Vec<&str> = Errors::NORMS.into_iter().chain(CONSTANTS).chain(Errors::OF_FORMULA).collect();
     if !known.contains(&norm.as_str()) {
         return refuse(raw.norm.span(), format!("no error norm `{norm}`"), suggestion(norm, &known));
+    }
+    let of_formula = Errors::OF_FORMULA.contains(&norm.as_str());
+    if raw.kind == ClaimKind::Agreement && !of_formula {
+        let message = format!("kind `agreement` compares with a formula, and `{norm}` does not");
+        return refuse(raw.norm.span(), message, format!("choose one of: {}", Errors::OF_FORMULA.join(", ")));
+    }
+    if of_formula && matches!(raw.kind, ClaimKind::Rate | ClaimKind::Exact | ClaimKind::Inequality) {
+        let message = format!("`{norm}` contains what the formula neglects and falls to no rate");
+        return refuse(raw.norm.span(), message, "judge it by kind `agreement`, `bounded` or `convergence`");
     }
     let number = |x: Option<Finite>| x.map(|x| x.0);
     Ok(Claim {
@@ -115,6 +124,15 @@ fn between<T>(name: &str, x: f64, raw: &Spanned<T>, low: f64, high: f64) -> Resu
     }
     let bound = if high.is_finite() { format!("lie between {low} and {high}") } else { format!("exceed {low}") };
     refuse(raw.span(), format!("{name} = {x} must {bound}"), "leave it out to keep the default")
+}
+
+/// Whether an agreement says how small the difference has to be.
+pub fn has_bound(claim: &Claim, gates: &Gates, span: Range<usize>) -> Result<(), Fault> {
+    if claim.kind != ClaimKind::Agreement || gates.constant.is_some() {
+        return Ok(());
+    }
+    let next = "give `constant`, the largest relative difference, and a `reason` in [gates]";
+    refuse(span, "kind `agreement` without a bound", next)
 }
 
 /// Whether what the claim judges is measured by the case: a lemma measures one quantity, which no contact problem has; a

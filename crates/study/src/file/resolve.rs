@@ -76,9 +76,10 @@ fn case(name: &Spanned<String>, layer: Layer<'_>, claim: &Claim) -> Result<Case,
     };
     let [quick, full] = plan::levels(layer.levels, &family, &reference, control, place.clone())?;
     if lemma.is_some_and(Lemma::halves) {
-        lemma::powers_of_two(&[&quick[..], &full[..]].concat(), plan::levels_place(layer.levels, place))?;
+        lemma::powers_of_two(&[&quick[..], &full[..]].concat(), plan::levels_place(layer.levels, place.clone()))?;
     }
     let (mut gates, fixed_quadrature) = judge::gates(layer.gates, control)?;
+    judge::has_bound(claim, &gates, layer.gates.map_or(place.clone(), Spanned::span))?;
     if lemma.is_some() {
         // the ceiling holds the error of a discrete solution against that of an interpolant; here there is no solution
         gates.ceiling = None;

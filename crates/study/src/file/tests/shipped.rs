@@ -46,7 +46,7 @@ fn fingerprints_of_shipped_cases_differ() {
 #[test]
 fn the_cases_are_those_of_the_plan() {
     let five = ["structured", "perturbed", "refined", "structured-overkill", "refined-overkill"];
-    let plan: [(&str, &[&str]); 12] = [
+    let plan: [(&str, &[&str]); 14] = [
         ("theorem-3-1-smooth", &five),
         ("theorem-3-1-natural", &five),
         ("lemma-2-1", &["structured", "perturbed", "kinked"]),
@@ -58,6 +58,8 @@ fn the_cases_are_those_of_the_plan() {
         ("lemma-3-2", &["disc-alpha-1", "disc-alpha-1.5", "disc-alpha-0.75", "ellipse-alpha-1.05", "ellipse-smooth"]),
         ("lemma-3-3", &["lemma-3-3"]),
         ("lemma-3-3-full", &["full-right", "full"]),
+        ("hertz", &["load-64", "load-16", "load-4", "load-1", "two-cylinders"]),
+        ("pin-in-hole", &["load-1", "load-10"]),
         ("lemma-3-4", &["disc-bulging", "disc-bitten", "ellipse-bulging", "ellipse-bitten"]),
     ];
     for (id, cases) in plan {
@@ -163,7 +165,8 @@ fn controls_plant_their_defects_and_say_what_they_expect() {
     let expect = |id: &str| load(id).cases[0].expect;
     let controls =
         ["wrong-mu", "same-mesh-twice", "loose-solver", "fixed-quadrature", "too-few-levels", "roaming-switch"];
-    assert_eq!(shipped().group(Group::Controls).count(), controls.len());
+    assert_eq!(shipped().group(Group::Controls).count(), controls.len() + 1);
+    assert_eq!(expect("hertz-plane-stress"), Some(Outcome::Fail));
     for id in controls {
         assert_eq!(expect(id), Some(Outcome::Inconclusive), "{id}");
     }
@@ -184,10 +187,10 @@ fn names_select_studies() {
         let names: Vec<String> = names.iter().map(|n| n.to_string()).collect();
         library.select(&names).map(|s| s.into_iter().map(|s| s.id).collect::<Vec<_>>())
     };
-    assert_eq!(ids(&[]).unwrap().len(), 12);
-    assert_eq!(ids(&["controls"]).unwrap().len(), 6);
+    assert_eq!(ids(&[]).unwrap().len(), 14);
+    assert_eq!(ids(&["controls"]).unwrap().len(), 7);
     assert_eq!(ids(&[EVERYTHING]).unwrap().len(), library.sources.len());
-    assert_eq!(ids(&["two-squares", "controls", "wrong-mu", "two-squares"]).unwrap().len(), 7);
+    assert_eq!(ids(&["two-squares", "controls", "wrong-mu", "two-squares"]).unwrap().len(), 8);
     assert_eq!(ids(&["my/own.toml"]).unwrap(), ["own"]);
     assert_eq!(ids(&["hard"]), Err(LibraryError::Empty("hard".into())));
     let Err(LibraryError::Unknown { hint, .. }) = ids(&["two-sqaures"]) else { panic!("accepted") };
