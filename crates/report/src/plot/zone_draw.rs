@@ -13,7 +13,7 @@ use plotters::prelude::DrawingBackend;
 /// Share of the height that the gap takes.
 const LOWER: f64 = 0.3;
 /// Between two labels of an axis.
-const APART: f64 = 60.0;
+const APART: f64 = 45.0;
 
 /// Shortest stroke of a line.
 const STRIDE: f64 = 8.0;
@@ -74,7 +74,7 @@ pub(crate) fn draw<DB: DrawingBackend>(chart: &ZoneChart, canvas: &Canvas<DB>) -
 }
 
 fn axes<DB: DrawingBackend>(p: &Panel, canvas: &Canvas<DB>, edge: Option<f64>) -> Drawn {
-    for tick in p.x.ticks(p.right - p.left, 2.0 * APART) {
+    for tick in p.x.ticks(p.right - p.left, 2.5 * APART) {
         let (at, _) = p.at((tick.value, 0.0));
         canvas.line(&[(at, p.top), (at, p.bottom)], Colour::Pale, 1.0, 1.0)?;
         canvas.line(&[(at, p.bottom), (at, p.bottom + 7.0)], Colour::Black, 1.0, 1.0)?;
@@ -93,7 +93,7 @@ fn axes<DB: DrawingBackend>(p: &Panel, canvas: &Canvas<DB>, edge: Option<f64>) -
 }
 
 fn x_labels<DB: DrawingBackend>(chart: &ZoneChart, canvas: &Canvas<DB>, p: &Panel) -> Drawn {
-    for tick in p.x.ticks(p.right - p.left, 2.0 * APART) {
+    for tick in p.x.ticks(p.right - p.left, 2.5 * APART) {
         let (at, _) = p.at((tick.value, 0.0));
         canvas.text(&tick.label, (at, p.bottom + 26.0), Anchor::Centre, TEXT, Colour::Black)?;
     }

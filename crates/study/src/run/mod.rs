@@ -10,6 +10,8 @@ mod level;
 mod partial;
 mod profile;
 mod reference;
+#[cfg(test)]
+mod tests;
 pub mod timing;
 #[cfg(test)]
 mod twins;

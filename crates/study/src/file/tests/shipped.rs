@@ -187,7 +187,7 @@ fn names_select_studies() {
         let names: Vec<String> = names.iter().map(|n| n.to_string()).collect();
         library.select(&names).map(|s| s.into_iter().map(|s| s.id).collect::<Vec<_>>())
     };
-    assert_eq!(ids(&[]).unwrap().len(), 14);
+    assert_eq!(ids(&[]).unwrap().len(), 15);
     assert_eq!(ids(&["controls"]).unwrap().len(), 7);
     assert_eq!(ids(&[EVERYTHING]).unwrap().len(), library.sources.len());
     assert_eq!(ids(&["two-squares", "controls", "wrong-mu", "two-squares"]).unwrap().len(), 8);
