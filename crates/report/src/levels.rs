@@ -1,9 +1,11 @@
 //! The tables of one case: what was measured on each level, and the fitted rates.
 
 use crate::format;
+use crate::formula;
+use crate::ledger;
 use crate::norm::{self, Norm, Trust};
 use crate::table::{Cell, Column, Row, Table};
-use signorini_study::record::{ClaimKind, ContactMeasure, FormulaValues, Ledger, Level, Rate, StudyRecord};
+use signorini_study::record::{ClaimKind, Level, Rate, StudyRecord};
 
 /// Norms that carry a pairwise rate (EOC) beside them in [`errors`].
 const WITH_RATE: [&str; 4] = ["energy", "strain", "h1", "l2"];
@@ -15,7 +17,7 @@ const SHOWN_WITH_CONTACT: [&str; 5] = ["pressure_l2", "pressure_dual", "penetrat
 type CellOf<'a> = dyn Fn(usize, &Level) -> Cell + 'a;
 
 /// A column and how its cell follows from the level at an index.
-struct Measured<'a> {
+pub(crate) struct Measured<'a> {
     column: Column,
     cell: Box<CellOf<'a>>,
 }
@@ -25,7 +27,8 @@ fn solved(key: &str, heading: &str, cell: fn(&Level) -> Cell) -> Measured<'stati
     measured(key, heading, move |level| if level.has_solution() { cell(level) } else { Cell::Missing })
 }
 
-fn measured<'a>(key: &str, heading: &str, cell: impl Fn(&Level) -> Cell + 'a) -> Measured<'a> {
+/// A column of that key and heading, and its cell on a level.
+pub(crate) fn measured<'a>(key: &str, heading: &str, cell: impl Fn(&Level) -> Cell + 'a) -> Measured<'a> {
     Measured { column: Column::new(key, heading), cell: Box::new(move |_, level| cell(level)) }
 }
 
@@ -34,8 +37,8 @@ pub fn all(record: &StudyRecord) -> Table {
     let mut columns = size_columns();
     columns.extend(error_columns(record));
     columns.extend(contact_columns());
-    columns.extend(formula_columns());
-    columns.extend(ledger_columns());
+    columns.extend(formula::columns());
+    columns.extend(ledger::columns(record));
     columns.extend(solution_columns());
     build(record, columns)
 }
@@ -61,30 +64,22 @@ pub fn contact(record: &StudyRecord) -> Table {
     if table.columns.len() > 2 { table } else { Table::default() }
 }
 
-/// Half width, peak pressure and force beside those of the study's formula; empty if it states none.
-pub fn formula(record: &StudyRecord) -> Table {
-    let mut columns = vec![level_column(), h_column()];
-    columns.extend(formula_columns());
-    let table = without_empty(build(record, columns));
-    let compared = record.levels.iter().any(|l| l.errors.size("formula").is_some());
-    if compared { table } else { Table::default() }
-}
-
-/// The ledger's terms; `None` if no level has a ledger.
-pub fn ledger(record: &StudyRecord) -> Option<Table> {
-    record.levels.iter().find(|l| l.ledger.is_some())?;
-    let mut columns = vec![level_column(), h_column()];
-    columns.extend(ledger_columns());
-    Some(build(record, columns))
-}
-
-/// Mesh quality, certificate, error budget and solver.
+/// Mesh quality, certificate, error budget and solver. What only curved bodies have is left out where it says nothing.
 pub fn solution(record: &StudyRecord) -> Table {
     let mut columns = vec![level_column()];
-    columns.extend(solution_columns());
+    columns.extend(solution_columns().into_iter().filter(|m| tells(record, &m.column.key)));
     let table = build(record, columns);
     // what belongs to a solution is not shown where there is none
     if has_solution(record) { table } else { without_empty(table) }
+}
+
+/// Straight sides are compared with chords where there are any, and the geometry's share is shown where it is not zero.
+fn tells(record: &StudyRecord, key: &str) -> bool {
+    match key {
+        "straight_over_chord" => record.levels.iter().any(|l| l.straight_over_chord.is_some()),
+        "budget_geometry" => record.levels.iter().any(|l| l.budget.geometry.is_some_and(|share| share > 0.0)),
+        _ => true,
+    }
 }
 
 /// Whether the case is a contact problem, and not a lemma.
@@ -133,7 +128,7 @@ fn rate_row(record: &StudyRecord, key: &str, r: &Rate) -> Row {
     }
 }
 
-fn build(record: &StudyRecord, measured: Vec<Measured<'_>>) -> Table {
+pub(crate) fn build(record: &StudyRecord, measured: Vec<Measured<'_>>) -> Table {
     let rows = record.levels.iter().enumerate().map(|(i, level)| Row {
         cells: measured.iter().map(|m| (m.cell)(i, level)).collect(),
         excluded: level.excluded.clone(),
@@ -142,7 +137,7 @@ fn build(record: &StudyRecord, measured: Vec<Measured<'_>>) -> Table {
 }
 
 /// Drops the columns in which no row has a value.
-fn without_empty(table: Table) -> Table {
+pub(crate) fn without_empty(table: Table) -> Table {
     let filled = |c: usize| table.rows.iter().any(|row| row.cells[c] != Cell::Missing);
     let keep: Vec<usize> = (0..table.columns.len()).filter(|&c| filled(c)).collect();
     let rows = table
@@ -152,11 +147,11 @@ fn without_empty(table: Table) -> Table {
     Table { rows: rows.collect(), columns: keep.iter().map(|&c| table.columns[c].clone()).collect() }
 }
 
-fn level_column() -> Measured<'static> {
+pub(crate) fn level_column() -> Measured<'static> {
     measured("level", "level", |l| Cell::Count(l.level))
 }
 
-fn h_column() -> Measured<'static> {
+pub(crate) fn h_column() -> Measured<'static> {
     measured("h", "h", |l| Cell::Number(l.h))
 }
 
@@ -224,46 +219,11 @@ fn contact_columns() -> Vec<Measured<'static>> {
     ]
 }
 
-/// Each measured number, the formula's, and their relative difference.
-fn formula_columns() -> Vec<Measured<'static>> {
-    let number = |value: fn(&ContactMeasure) -> f64| move |l: &Level| Cell::number(l.contact.as_ref().map(value));
-    let given = |value: fn(&FormulaValues) -> Option<f64>| {
-        move |l: &Level| Cell::number(l.contact.as_ref().and_then(|c| value(c.formula.as_ref()?)))
-    };
-    vec![
-        measured("half_width", "half width", number(|c| c.half_width)),
-        measured("half_width_formula", "by the formula", given(|f| f.half_width)),
-        measured("half_width_difference", "difference", |l| Cell::number(l.errors.half_width)),
-        measured("peak_pressure", "peak pressure", number(|c| c.peak_pressure)),
-        measured("peak_pressure_formula", "by the formula", given(|f| f.peak_pressure)),
-        measured("peak_pressure_difference", "difference", |l| Cell::number(l.errors.peak_pressure)),
-        measured("force", "force", number(|c| c.force)),
-        measured("force_formula", "by the formula", given(|f| f.force)),
-        measured("force_difference", "difference", |l| Cell::number(l.errors.force)),
-    ]
-}
-
-fn ledger_columns() -> Vec<Measured<'static>> {
-    let term = |key, heading, value: fn(&Ledger) -> f64| {
-        measured(key, heading, move |l| Cell::number(l.ledger.as_ref().map(value)))
-    };
-    vec![
-        term("ledger_lhs", "½A(e,e)", |t| t.lhs),
-        term("ledger_a", "a", |t| t.a),
-        term("ledger_b", "b", |t| t.b),
-        term("ledger_c", "c", |t| t.c),
-        term("ledger_delta", "δ", |t| t.delta),
-        measured("ledger_holds", "holds", |l| {
-            let holds = l.ledger.as_ref().and_then(|t| t.holds);
-            holds.map_or(Cell::Missing, Cell::Flag)
-        }),
-    ]
-}
-
 fn solution_columns() -> Vec<Measured<'static>> {
     vec![
         measured("min_angle", "min angle (°)", min_angle),
         measured("side_ratio", "β", |l| Cell::Number(l.side_ratio)),
+        measured("straight_over_chord", "straight/chord", |l| Cell::number(l.straight_over_chord)),
         measured("two_way", "two-way", |l| Cell::number(l.two_way)),
         solved("energy_value", "L(uₕ)", |l| Cell::Number(l.energy)),
         solved("kkt_stationarity", "KKT stationarity", |l| Cell::Number(l.kkt.stationarity)),

@@ -17,15 +17,18 @@
 //! # }
 //! ```
 //!
-//! Reading order: [`table`] (the one table model) · [`norm`] (what can be tabulated) · [`levels`] (the tables of a
-//! case) · [`markdown`] (its page) · [`plot`] (its pictures) · [`verdict`], [`summary`] (all cases together).
+//! Reading order: [`table`] (the one table model) · [`norm`] (what can be tabulated) · [`levels`], [`ledger`] (the tables
+//! of a case) · [`markdown`] (its page) · [`plot`] (its pictures) · [`verdict`], [`summary`] (all cases together).
 
 pub mod error;
 pub mod format;
+pub mod formula;
+pub mod ledger;
 pub mod levels;
 pub mod markdown;
 pub mod norm;
 pub mod plot;
+pub mod regularity;
 pub mod summary;
 pub mod table;
 pub mod verdict;
@@ -38,7 +41,7 @@ use signorini_study::store::{remove_if_present, write_atomic, write_summary};
 use std::path::{Path, PathBuf};
 
 /// Writes what there is to read about one case into its folder `dir`: `report.md`, `table.csv`, `table.json`,
-/// `rates.png`, `ledger.png`, `pressure.png` and the pictures' twins `rates.svg`, `ledger.svg`, `pressure.svg`.
+/// `rates.png`, `ledger.png`, `parts.png`, `pressure.png` and the pictures' twins of the ending `svg`.
 ///
 /// A picture with nothing to show is not written, and one that an earlier run left is removed. Returns the files
 /// written, in that order.
@@ -49,14 +52,19 @@ pub fn render(record: &StudyRecord, dir: &Path) -> Result<Vec<PathBuf>, ReportEr
     let table = levels::all(record);
     let rates = plot::rates(record);
     let ledger = plot::ledger(record);
+    let parts = plot::parts(record);
     let pressure = plot::pressure(record);
-    let pictures =
-        markdown::Pictures { rates: rates.is_some(), ledger: ledger.is_some(), pressure: pressure.is_some() };
+    let pictures = markdown::Pictures {
+        rates: rates.is_some(),
+        ledger: ledger.is_some(),
+        parts: parts.is_some(),
+        pressure: pressure.is_some(),
+    };
     let mut folder = Folder::new(dir);
     folder.write("report.md", markdown::page(record, pictures).as_bytes())?;
     folder.write("table.csv", &table.to_csv()?)?;
     folder.write("table.json", &table::json_text(&table.to_json()?)?)?;
-    for (name, chart) in [("rates", &rates), ("ledger", &ledger)] {
+    for (name, chart) in [("rates", &rates), ("ledger", &ledger), ("parts", &parts)] {
         let png = chart.as_ref().map(plot::png).transpose()?;
         folder.write_or_remove(&format!("{name}.png"), png.as_deref())?;
         let svg = chart.as_ref().map(plot::svg).transpose()?;

@@ -1,8 +1,11 @@
 //! The page of one case: question, claim, set-up, verdict, tables and pictures, in the order a reader asks.
 
 use crate::format;
+use crate::formula;
+use crate::ledger;
 use crate::levels;
 use crate::norm;
+use crate::regularity;
 use crate::table::{Cell, Column, Row, Table};
 use crate::verdict;
 use signorini_study::record::{ClaimKind, Rate, Reference, StudyRecord};
@@ -14,6 +17,8 @@ pub struct Pictures {
     pub rates: bool,
     /// `ledger.png`.
     pub ledger: bool,
+    /// `parts.png`.
+    pub parts: bool,
     /// `pressure.png`.
     pub pressure: bool,
 }
@@ -28,7 +33,7 @@ pub fn page(record: &StudyRecord, pictures: Pictures) -> String {
         verdict_section(record),
         section("What would refute it", &record.refuted_by),
         errors(record, pictures.rates),
-        ledger(record, pictures.ledger),
+        ledger_section(record, pictures),
         table_section("Contact", &levels::contact(record), CONTACT_LEGEND),
         pressure(record, pictures.pressure),
         certificate(record),
@@ -43,9 +48,20 @@ usable level before it, log(e₁/e₂) / log(h₁/h₂).";
 const DOUBTFUL_RATES: &str = "\n† Not asymptotic: the pairwise rates still drift. Where no rate stands the errors \
 scatter, and the 95 % interval is wider than ±0.5.\n";
 const LEDGER_LEGEND: &str = "The estimate of the error, term by term: ½A(e,e) ≤ a + b + c with a = ½A(u−u_I, u−u_I), \
-b and c the terms of the contact zone, δ the quadrature estimate of them all. With few switch points b depends on \
-where they sit in their sides, so it falls unevenly or vanishes; its bound is what is claimed. Terms below 1e-14 ‖u‖² \
-in the energy norm are rounding.";
+b and c the terms of the contact zone, δ the quadrature estimate of them all. Terms below 1e-14 ‖u‖² in the energy norm are rounding.";
+const UNEVEN: &str = " With few switch points b depends on where they sit in their sides, so it falls unevenly or \
+vanishes; its bound is what is claimed.";
+const ARC_LEGEND: &str = "What b and c are bounded by, norms in L²(Γ_K). [u_I−u]ₙ: interpolation of the jump, in b. Uₕ: \
+the jump [uₕ]ₙ on the arc; Ũₕ: the same with uₕ taken at the foot of the perpendicular to the chord; Φ: linear on each \
+chord through the nodal values of Uₕ. Their differences bound c.";
+const GAP_LEGEND: &str = "b on sides in full contact, ∫T_ξ(ε_I−ε) dη, and on sides that hold a switch point, which falls unevenly, \
+as it depends on where the point sits; \
+‖ε_I−ε‖₀, the interpolation error of the gap over the zone, bounds c.";
+const TERMS_LEGEND: &str = "Rates of absolute values, since the last change of sign. Proven: the term is O(h^exponent); \
+½A(e,e), a, b and c are squares, so half an exponent is a rate of the error. Where no rate stands the term vanishes, keeps \
+changing its sign, or scatters.";
+const DRIFTING_TERMS: &str =
+    "\n† Not asymptotic, the pairwise rates still drift; or scattered, and then no rate is shown.\n";
 const CONTACT_LEGEND: &str = "Active: constraints whose multiplier exceeds 1e-8 of the largest. Contact set: length of \
 the symmetric difference with the reference's. Switch point: largest distance of one of the reference's switch points from the nearest discrete one.";
 const FORMULA_LEGEND: &str = "The formula neglects something, the shape of the bodies far from the contact for instance, so \
@@ -53,8 +69,9 @@ the differences need not vanish with h. Force: sum of the multipliers. Half widt
 switch point placed in its side by the gap beyond it. Peak pressure: the largest λᵢ/mᵢ. Of a symmetric half model all are \
 those of the whole.";
 const SOLUTION_LEGEND: &str = "Two-way: relative difference of A(e,e) by quadrature and by energies. KKT: scaled \
-residuals of the optimality conditions, recomputed from the raw data. Algebraic, quadrature, geometry, reference: \
-shares of the energy error that are not discretisation.";
+residuals of the optimality conditions, recomputed from the raw data. Algebraic, quadrature, reference, and geometry \
+where it is not met exactly: shares of the energy error that are not discretisation.";
+const CHORD_LEGEND: &str = " Straight/chord: longest straight side over the longest chord of a curved one.";
 
 const MESH_LEGEND: &str = "No contact problem is solved here: the numbers are those of meshes and functions alone. \
 Quadrature: share of the measured error that a finer rule would change.";
@@ -83,7 +100,9 @@ fn table_section(title: &str, table: &Table, legend: &str) -> String {
 fn certificate(record: &StudyRecord) -> String {
     let table = levels::solution(record);
     if levels::has_solution(record) {
-        table_section("Certificate, budget and solver", &table, SOLUTION_LEGEND)
+        let curved = table.columns.iter().any(|c| c.key == "straight_over_chord");
+        let legend = format!("{SOLUTION_LEGEND}{}", if curved { CHORD_LEGEND } else { "" });
+        table_section("Certificate, budget and solver", &table, &legend)
     } else {
         table_section("Mesh and quadrature", &table, MESH_LEGEND)
     }
@@ -97,7 +116,7 @@ fn claim(record: &StudyRecord) -> String {
         norm::words(&record.norm),
     );
     let observed = norm::judged_rate(record);
-    let mut body = format!("{}\n\n{judged}\n", record.statement.trim());
+    let mut body = format!("{}\n\n{}{judged}\n", record.statement.trim(), hypotheses(record));
     let b = &record.bounds;
     if observed.is_some() || [b.paper, b.today, b.expected].iter().any(Option::is_some) {
         body += &format!("\n{}", bounds_table(record, observed).to_markdown());
@@ -106,6 +125,13 @@ fn claim(record: &StudyRecord) -> String {
         body += &format!("\n{}", fit_words(rate));
     }
     section("Claim", &body)
+}
+
+fn hypotheses(record: &StudyRecord) -> String {
+    if record.hypotheses.is_empty() {
+        return String::new();
+    }
+    format!("Hypotheses: {}.\n\n", record.hypotheses.join("; "))
 }
 
 pub(crate) fn kind_words(kind: ClaimKind) -> &'static str {
@@ -157,6 +183,7 @@ fn fit_words(rate: &Rate) -> String {
 
 fn set_up(record: &StudyRecord) -> String {
     let mut lines = vec![format!("- Family: {}", family_words(record))];
+    lines.extend(regularity::sentence(record).map(|words| format!("- Regularity: {words}")));
     if levels::has_solution(record) {
         lines.push(format!("- Reference: {}", reference_words(&record.reference)));
     }
@@ -227,21 +254,32 @@ fn errors(record: &StudyRecord, picture: bool) -> String {
     section(if record.norm == "constant" { "Constants" } else { "Errors" }, &body)
 }
 
-fn ledger(record: &StudyRecord, picture: bool) -> String {
-    let Some(table) = levels::ledger(record) else {
+fn ledger_section(record: &StudyRecord, pictures: Pictures) -> String {
+    let Some(terms) = ledger::terms(record) else {
         return String::new();
     };
-    let image = image(picture, "ledger.png", "Terms of the ledger against mesh size");
-    section("Ledger", &format!("{image}{}\n{LEDGER_LEGEND}", table.to_markdown()))
+    let mut body = image(pictures.ledger, "ledger.png", "Terms of the ledger against mesh size");
+    let parts = ledger::parts(record);
+    let has = |key: &str| parts.iter().flat_map(|t| &t.columns).any(|c| c.key == key);
+    let uneven = if parts.is_some() { "" } else { UNEVEN };
+    body += &format!("{}\n{LEDGER_LEGEND}{uneven}\n", terms.to_markdown());
+    if let Some(parts) = &parts {
+        let gap = has("ledger_gap_interpolation");
+        let image = image(pictures.parts, "parts.png", "Parts of the ledger against mesh size");
+        body += &format!("\n{image}{}\n{}\n", parts.to_markdown(), if gap { GAP_LEGEND } else { ARC_LEGEND });
+    }
+    if let Some(rates) = ledger::rates(record) {
+        let marked = rates.rows.iter().any(|row| row.excluded.is_some());
+        let note = if marked { DRIFTING_TERMS } else { "" };
+        body += &format!("\n{}\n{TERMS_LEGEND}\n", rates.to_markdown_above(note));
+    }
+    section("Ledger", &body)
 }
 
 /// The contact pressure of the finest level, and what a formula says of it.
 fn pressure(record: &StudyRecord, picture: bool) -> String {
     let image = image(picture, "pressure.png", "Contact pressure and gap along the zone");
-    let table = match levels::formula(record) {
-        table if table.rows.is_empty() => String::new(),
-        table => format!("{}\n{FORMULA_LEGEND}", table.to_markdown()),
-    };
+    let table = formula::table(record).map_or_else(String::new, |t| format!("{}\n{FORMULA_LEGEND}", t.to_markdown()));
     section("Contact pressure", &format!("{image}{table}"))
 }
 

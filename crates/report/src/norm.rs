@@ -1,37 +1,8 @@
-//! The error norms a record may hold: their keys, words, symbols and values.
+//! The error norms of a record, and how far their rates can be trusted.
 
-use signorini_study::rate::is_rounding;
+pub use signorini_study::claim::quantity::{QUANTITIES as NORMS, Quantity as Norm};
+use signorini_study::rate::{self, is_rounding};
 use signorini_study::record::{Level, Rate, StudyRecord};
-
-/// One error norm, or another measured quantity that a claim judges.
-#[derive(Clone, Copy, Debug)]
-pub struct Norm {
-    /// Key in `errors` and `rates`.
-    pub key: &'static str,
-    /// Short words.
-    pub words: &'static str,
-    /// Symbol, `e = u − uₕ`.
-    pub symbol: &'static str,
-    value: fn(&Level) -> Option<f64>,
-}
-
-impl Norm {
-    /// The value on one level; `None` where there is none.
-    pub fn value(&self, level: &Level) -> Option<f64> {
-        (self.value)(level)
-    }
-
-    /// `strain |u−uₕ|`
-    pub fn label(&self) -> String {
-        format!("{} {}", self.words, self.symbol)
-    }
-}
-
-macro_rules! errors_field {
-    ($key:literal, $words:literal, $symbol:literal, $field:ident) => {
-        Norm { key: $key, words: $words, symbol: $symbol, value: |level| level.errors.$field }
-    };
-}
 
 /// How far a fitted rate can be trusted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -69,32 +40,6 @@ impl Trust {
     }
 }
 
-/// Every norm, in the order of tables and legends.
-pub const NORMS: [Norm; 17] = [
-    errors_field!("strain", "strain", "|u−uₕ|", strain),
-    errors_field!("energy", "energy", "√A(e,e)", energy),
-    errors_field!("h1", "H¹", "‖u−uₕ‖₁", h1),
-    errors_field!("l2", "L²", "‖u−uₕ‖₀", l2),
-    errors_field!("pressure_l2", "pressure L²", "‖p−pₕ‖₀", pressure_l2),
-    errors_field!("pressure_dual", "pressure, dual", "‖p−pₕ‖₋½", pressure_dual),
-    errors_field!("penetration_l2", "penetration", "‖([uₕ]ₙ)₊‖₀", penetration_l2),
-    errors_field!("contact_set", "contact set", "|C △ Cₕ|", contact_set),
-    errors_field!("energy_gap", "energy gap", "L(uₕ)−L(u)", energy_gap),
-    errors_field!("interpolation", "interpolation", "√A(u−u_I,u−u_I)", interpolation),
-    errors_field!("boundary_l2", "boundary L²", "‖u−u_I‖₀ on ∂Ω", boundary_l2),
-    errors_field!("constant", "constant", "c", constant),
-    errors_field!("half_width", "half width", "aₕ/a − 1", half_width),
-    errors_field!("peak_pressure", "peak pressure", "max pₕ/p₀ − 1", peak_pressure),
-    errors_field!("force", "force", "Σλ/P − 1", force),
-    Norm {
-        key: "formula",
-        words: "difference from the formula",
-        symbol: "(largest)",
-        value: |level| level.errors.size("formula"),
-    },
-    Norm { key: "b_over_h2", words: "constant", symbol: "b/h²", value: b_over_h2 },
-];
-
 /// The norm of that key, if the catalogue has it.
 pub fn norm(key: &str) -> Option<&'static Norm> {
     NORMS.iter().find(|n| n.key == key)
@@ -110,10 +55,12 @@ pub fn short_words(key: &str) -> String {
     norm(key).map_or(key, |n| n.words).to_string()
 }
 
-/// The fitted rates with their keys, in the order of [`NORMS`]; then `dofs`, and what the catalogue does not know.
+/// The fitted rates of error norms with their keys, in the order of [`NORMS`]; then `dofs`, and what the catalogue does
+/// not know. Those of the ledger's terms are not among them.
 pub fn rates_in_order(record: &StudyRecord) -> Vec<(&str, &Rate)> {
     let place = |key: &str| NORMS.iter().position(|n| n.key == key).unwrap_or(NORMS.len());
     let mut rates: Vec<(&str, &Rate)> = record.rates.iter().map(|(key, rate)| (key.as_str(), rate)).collect();
+    rates.retain(|(key, _)| !key.starts_with(rate::LEDGER));
     rates.sort_by_key(|(key, _)| place(key));
     rates
 }
@@ -143,9 +90,4 @@ pub fn pairwise(record: &StudyRecord, norm: &Norm, index: usize) -> Option<f64> 
 
 fn usable(level: &Level, norm: &Norm) -> bool {
     level.excluded.is_none() && norm.value(level).is_some_and(|e| e > 0.0) && !is_rounding(level)
-}
-
-/// `b/h²`, the constant of the ledger's boundary term.
-fn b_over_h2(level: &Level) -> Option<f64> {
-    level.ledger.as_ref().map(|l| l.b / (level.h * level.h))
 }

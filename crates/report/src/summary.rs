@@ -2,6 +2,7 @@
 
 use crate::format;
 use crate::norm::{self, judged_rate};
+use crate::regularity;
 use crate::table::{Cell, Column, Row, Table, text};
 use crate::verdict;
 use signorini_study::record::StudyRecord;
@@ -9,7 +10,8 @@ use signorini_study::record::StudyRecord;
 /// Widest line of [`summary_text`].
 pub const TEXT_WIDTH: usize = 110;
 
-/// `summary.md`: the counts, one table row per case with a link to its page, and the reasons behind what did not pass.
+/// `summary.md`: the counts, one table row per case with a link to its page, the reasons behind what did not pass, and
+/// how regular the meshes are where the claim asks for it.
 pub fn summary_markdown(records: &[StudyRecord]) -> String {
     let mut out = format!("# Summary\n\n{}\n\n", verdict::counts(records));
     if records.is_empty() {
@@ -21,6 +23,11 @@ pub fn summary_markdown(records: &[StudyRecord]) -> String {
         .collect();
     if !reasons.is_empty() {
         out += &format!("\n## Reasons\n\n{}", reasons.concat());
+    }
+    let regularity = records.iter().filter_map(|r| Some(format!("- **{}**: {}\n", name(r), regularity::sentence(r)?)));
+    let regularity: String = regularity.collect();
+    if !regularity.is_empty() {
+        out += &format!("\n## Regularity of the families\n\n{regularity}");
     }
     out + LEGEND
 }

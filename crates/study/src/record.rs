@@ -37,6 +37,9 @@ pub struct StudyRecord {
     pub claim: String,
     /// The statement of the claim in words.
     pub statement: String,
+    /// What must hold for the claim to apply. Not in records of older runs.
+    #[serde(default)]
+    pub hypotheses: Vec<String>,
     /// How the claim is judged.
     pub kind: ClaimKind,
     /// The norm that the claim judges: a key of `rates`.
@@ -51,7 +54,8 @@ pub struct StudyRecord {
     pub seed: u64,
     /// From the coarsest to the finest.
     pub levels: Vec<Level>,
-    /// Fitted rates by name of the error norm (a field of [`Errors`]), and `dofs` against `dofs^{-1/2}`.
+    /// Fitted rates by name of the error norm (a field of [`Errors`]); `ledger.<term>` for the terms of the ledger (see
+    /// [`Ledger::term`]), by absolute value; and `dofs` against `dofs^{-1/2}`.
     pub rates: BTreeMap<String, Rate>,
     /// The three numbers a rate is held against.
     pub bounds: Bounds,
@@ -155,6 +159,9 @@ pub struct Level {
     pub excluded: Option<String>,
     /// `‖u‖_A = √A(u,u)` of the reference, or of `u_h` where there is none: what makes an error rounding.
     pub solution_energy: Option<f64>,
+    /// `‖u_h‖_1`, both bodies together: what Remarks 3.4 to 3.6 ask to be bounded. Not in records of older runs.
+    #[serde(default)]
+    pub solution_h1: Option<f64>,
     /// `max |u_h|` over the nodes times the square root of the length of `Γ_K`: the scale of `penetration_l2`.
     pub solution_trace: Option<f64>,
     /// Force, width and pressure of the contact; none of a lemma, and not in records of older runs.
@@ -285,16 +292,41 @@ pub struct Ledger {
 }
 
 impl Ledger {
-    /// Names of the parts and what they are. Norms are those of `L²(Γ_K)`, in the measure of the zone.
+    /// Names of the parts and what they are. Norms are those of `L²(Γ_K)`, in the measure of the zone; the others are
+    /// squares, like `b` itself.
     pub const PARTS: [(&'static str, &'static str); 7] = [
-        ("trace_interpolation", "‖[u_I − u]_n‖"),
-        ("jump_minus_chord", "‖U_h − Ũ_h‖"),
-        ("nodal_minus_chord", "‖Φ − Ũ_h‖"),
-        ("nodal_minus_jump", "‖Φ − U_h‖"),
+        ("trace_interpolation", "‖[u_I−u]ₙ‖₀"),
+        ("jump_minus_chord", "‖Uₕ−Ũₕ‖₀"),
+        ("nodal_minus_chord", "‖Φ−Ũₕ‖₀"),
+        ("nodal_minus_jump", "‖Φ−Uₕ‖₀"),
         ("b_gap", "b on full sides"),
         ("b_switch", "b on switch sides"),
-        ("gap_interpolation", "‖ε_I − ε‖"),
+        ("gap_interpolation", "‖ε_I−ε‖₀"),
     ];
+
+    /// Names of the terms of the estimate itself.
+    pub const TERMS: [&'static str; 4] = ["lhs", "a", "b", "c"];
+
+    /// The term of [`Ledger::TERMS`] or part of [`Ledger::PARTS`] of that name, with its sign.
+    pub fn term(&self, name: &str) -> Option<f64> {
+        match name {
+            "lhs" => Some(self.lhs),
+            "a" => Some(self.a),
+            "b" => Some(self.b),
+            "c" => Some(self.c),
+            part => self.parts.get(part).copied(),
+        }
+    }
+
+    /// The right side, `a + b + c`.
+    pub fn sum(&self) -> f64 {
+        self.a + self.b + self.c
+    }
+
+    /// Whether a term is the square of an energy norm; the others are norms on the zone.
+    pub fn is_square(name: &str) -> bool {
+        Self::TERMS.contains(&name) || ["b_gap", "b_switch"].contains(&name)
+    }
 }
 
 /// Scaled residuals of the optimality conditions (no units), recomputed from the raw data.

@@ -51,6 +51,7 @@ pub(crate) fn level(k: usize, error: f64) -> Level {
         warnings: Vec::new(),
         excluded: None,
         solution_energy: Some(1.0),
+        solution_h1: None,
         solution_trace: Some(1.0),
         contact: None,
     }
@@ -70,6 +71,7 @@ pub(crate) fn record(study: &str, case: &str, levels: Vec<Level>) -> StudyRecord
         parameters: [("k".to_string(), 3.0)].into(),
         claim: "theorem-3-1".into(),
         statement: "|u − u_h| ≤ c h".into(),
+        hypotheses: vec!["regular family".into()],
         kind: ClaimKind::Rate,
         norm: "strain".into(),
         family: "structured".into(),

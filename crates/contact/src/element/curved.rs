@@ -16,9 +16,10 @@ use crate::material::Material;
 use crate::quadrature::GAUSS_8;
 
 /// What displacements are on a triangle with a curved side.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum CurvedElement {
     /// Linear in the physical coordinates on the exact region (2.4).
+    #[default]
     Physical,
     /// Zlámal's map of the reference triangle (2.8).
     Isoparametric {
@@ -26,12 +27,6 @@ pub enum CurvedElement {
         /// for traces that are linear in the curve's parameter, as (2.10) needs them.
         skew: f64,
     },
-}
-
-impl Default for CurvedElement {
-    fn default() -> Self {
-        Self::Physical
-    }
 }
 
 /// A triangle whose side opposite the corner `apex` is a piece of a curve.

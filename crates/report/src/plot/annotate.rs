@@ -36,6 +36,7 @@ pub(super) fn labels<DB: DrawingBackend>(chart: &Chart, canvas: &Canvas<DB>, fra
 pub(super) fn triangles<DB: DrawingBackend>(chart: &Chart, canvas: &Canvas<DB>, frame: &Frame) -> Drawn {
     let path = |c: &Curve| along(&pixels(c, frame), 6.0);
     let mut obstacles: Vec<_> = chart.curves.iter().flat_map(path).collect();
+    obstacles.extend(chart.guides.iter().flat_map(|g| along(&g.ends().map(|(h, value)| frame.at(h, value)), 6.0)));
     let near: Vec<_> = chart.curves.iter().filter(|c| c.judged).flat_map(path).collect();
     for slope in &chart.slopes {
         let triangle = Triangle::new(slope.exponent, frame);

@@ -74,6 +74,14 @@ impl<DB: DrawingBackend> Canvas<DB> {
         Ok(())
     }
 
+    /// A mark that is open in the middle, so that others can be seen in it; grey for a level left out.
+    pub fn ring(&self, at: At, radius: f64, shape: Shape, colour: Colour, kind: MarkKind) -> Result<(), ReportError> {
+        let colour = if kind == MarkKind::Greyed { Colour::Grey } else { colour };
+        let corners = outline(at, radius, shape);
+        let closed: Vec<At> = corners.iter().chain(corners.first()).copied().collect();
+        self.line(&closed, colour, 2.0, 1.0)
+    }
+
     /// One line of text, its capitals centred on `at`; what stands in `^{…}` is raised.
     pub fn text(&self, text: &str, at: At, anchor: Anchor, size: f64, colour: Colour) -> Result<(), ReportError> {
         let width = self.text_width(text, size)?;

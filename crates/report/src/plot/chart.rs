@@ -75,6 +75,17 @@ pub struct Mark {
     pub kind: MarkKind,
 }
 
+/// How heavily a curve is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Weight {
+    /// Thin, small marks.
+    Thin,
+    /// Strong, large marks.
+    Strong,
+    /// A wide pale line and rings, which show around a curve that coincides with it.
+    Halo,
+}
+
 /// Measured values joined by a line and labelled at its end.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Curve {
@@ -86,8 +97,8 @@ pub struct Curve {
     pub colour: Colour,
     /// Shape of the marks.
     pub shape: Shape,
-    /// Whether the curve is drawn strong; the others are thin.
-    pub strong: bool,
+    /// How heavily the curve is drawn.
+    pub weight: Weight,
     /// Whether the claim is about this curve, so that the bounds stand near it.
     pub judged: bool,
     /// The values, in the order of the levels.
@@ -139,6 +150,27 @@ impl Band {
     }
 }
 
+/// A bound drawn as a dashed line beside its curve.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Guide {
+    /// Colour of the curve that it belongs to.
+    pub colour: Colour,
+    /// The exponent of `h`.
+    pub exponent: f64,
+    /// Mesh size and value where it begins.
+    pub from: (f64, f64),
+    /// Mesh size where it ends.
+    pub to: f64,
+}
+
+impl Guide {
+    /// Mesh sizes and values of both ends.
+    pub fn ends(&self) -> [(f64, f64); 2] {
+        let (h, value) = self.from;
+        [self.from, (self.to, value * (self.to / h).powf(self.exponent))]
+    }
+}
+
 /// A bound drawn as a slope triangle.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Slope {
@@ -165,6 +197,8 @@ pub struct Chart {
     pub curves: Vec<Curve>,
     /// Fitted lines.
     pub bands: Vec<Band>,
+    /// Bounds of single curves.
+    pub guides: Vec<Guide>,
     /// Bounds.
     pub slopes: Vec<Slope>,
     /// What the reader should know beside: levels left out, curves not drawn.
@@ -176,11 +210,25 @@ impl Chart {
     pub(crate) fn marks(&self) -> impl Iterator<Item = &Mark> {
         self.curves.iter().flat_map(|c| &c.marks)
     }
+
+    /// Every value that has to lie in the frame: those of the marks and the ends of the guides.
+    pub(crate) fn values(&self) -> impl Iterator<Item = f64> {
+        let ends = self.guides.iter().flat_map(Guide::ends).map(|(_, value)| value);
+        self.marks().map(|m| m.value).chain(ends)
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_guide_ends_on_its_power() {
+        let guide = Guide { colour: Colour::Blue, exponent: 1.5, from: (0.4, 8.0), to: 0.1 };
+        let [from, to] = guide.ends();
+        assert_eq!(from, (0.4, 8.0));
+        assert!((to.1 - 1.0).abs() < 1e-14 && to.0 == 0.1, "{to:?}");
+    }
 
     /// Textbook case by hand: x = log h = 0, 1, 2 gives x̄ = 1, Sxx = 2, so at x̄ the band is half_width·√(2/3).
     #[test]

@@ -3,9 +3,10 @@
 use super::annotate::{labels, triangles};
 use super::axis::{LogRange, Tick, ticks};
 use super::canvas::{Anchor, Canvas};
-use super::chart::{Band, Chart, Colour, Curve};
+use super::chart::{Band, Chart, Colour, Curve, Guide, Weight};
 use super::encode::{HEIGHT, WIDTH};
 use super::frame::Frame;
+use super::place::dashes;
 use crate::error::ReportError;
 use plotters::prelude::DrawingBackend;
 
@@ -16,6 +17,8 @@ pub(super) const TEXT: f64 = 24.0;
 pub(super) const LEADING: f64 = 31.0;
 /// Between the sides of the picture and anything in it.
 pub(super) const MARGIN: f64 = 30.0;
+/// Length of a dash, and of the space behind it.
+const DASH: f64 = 9.0;
 /// From the frame's right side to the curves' labels.
 pub(super) const LEADER: f64 = 40.0;
 
@@ -32,6 +35,9 @@ pub(crate) fn draw<DB: DrawingBackend>(chart: &Chart, canvas: &Canvas<DB>) -> Dr
     axes(chart, canvas, &frame)?;
     for band in &chart.bands {
         draw_band(band, canvas, &frame)?;
+    }
+    for guide in &chart.guides {
+        draw_guide(guide, canvas, &frame)?;
     }
     for curve in &chart.curves {
         draw_curve(curve, canvas, &frame)?;
@@ -103,7 +109,7 @@ fn frame<DB: DrawingBackend>(
     bottom: f64,
 ) -> Result<Option<Frame>, ReportError> {
     let (Some(x), Some(y)) =
-        (LogRange::around(chart.marks().map(|m| m.h), 0.05), LogRange::around(chart.marks().map(|m| m.value), 0.06))
+        (LogRange::around(chart.marks().map(|m| m.h), 0.05), LogRange::around(chart.values(), 0.06))
     else {
         return Ok(None);
     };
@@ -166,10 +172,27 @@ fn draw_band<DB: DrawingBackend>(band: &Band, canvas: &Canvas<DB>, frame: &Frame
 }
 
 fn draw_curve<DB: DrawingBackend>(curve: &Curve, canvas: &Canvas<DB>, frame: &Frame) -> Drawn {
-    let (width, radius) = if curve.strong { (2.5, 8.0) } else { (1.5, 6.0) };
-    canvas.line(&pixels(curve, frame), curve.colour, width, 1.0)?;
+    let (width, strength, radius) = match curve.weight {
+        Weight::Thin => (1.5, 1.0, 6.0),
+        Weight::Strong => (2.5, 1.0, 8.0),
+        Weight::Halo => (9.0, 0.2, 14.0),
+    };
+    canvas.line(&pixels(curve, frame), curve.colour, width, strength)?;
     for mark in &curve.marks {
-        canvas.mark(frame.at(mark.h, mark.value), radius, curve.shape, curve.colour, mark.kind)?;
+        let at = frame.at(mark.h, mark.value);
+        match curve.weight {
+            Weight::Halo => canvas.ring(at, radius, curve.shape, curve.colour, mark.kind)?,
+            _ => canvas.mark(at, radius, curve.shape, curve.colour, mark.kind)?,
+        }
+    }
+    Ok(())
+}
+
+/// Dashes along the guide.
+fn draw_guide<DB: DrawingBackend>(guide: &Guide, canvas: &Canvas<DB>, frame: &Frame) -> Drawn {
+    let [from, to] = guide.ends().map(|(h, value)| frame.at(h, value));
+    for dash in dashes(from, to, DASH) {
+        canvas.line(&dash, guide.colour, 1.5, 0.8)?;
     }
     Ok(())
 }

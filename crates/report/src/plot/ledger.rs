@@ -1,28 +1,53 @@
 //! `ledger`: the terms of the error estimate against the mesh size.
 
-use super::chart::{Chart, Colour, Curve, Mark, Shape, Slope};
-use super::rates::{excluded, kind};
+use super::chart::{Chart, Colour, Curve, Mark, Shape, Slope, Weight};
+use super::rates::{STAR, detail, excluded, kind};
 use crate::format;
+use crate::ledger::term_rate;
+use crate::norm::Trust;
 use crate::summary::name;
-use signorini_study::record::{Ledger, Level, StudyRecord};
+use signorini_study::claim::proof::proven_terms;
+use signorini_study::record::{Ledger, Level, Rate, StudyRecord};
 
 /// A term of the ledger and how it is drawn.
 struct Term {
     words: &'static str,
+    /// Its name in the rates; the sum has none.
+    key: Option<&'static str>,
     colour: Colour,
     shape: Shape,
-    strong: bool,
+    weight: Weight,
     value: fn(&Ledger) -> f64,
 }
 
-/// The sum first: its squares show around the circles of the left side where the two nearly agree.
+/// Curves that nearly coincide show around one another: the sum's rings, then `a`, then the left side; `b` around `c`.
 const TERMS: [Term; 5] = [
-    Term { words: "a + b + c", colour: Colour::Black, shape: Shape::Square, strong: true, value: |l| l.a + l.b + l.c },
-    Term { words: "½A(e,e)", colour: Colour::Blue, shape: Shape::Circle, strong: true, value: |l| l.lhs },
-    Term { words: "a", colour: Colour::Green, shape: Shape::Triangle, strong: false, value: |l| l.a },
-    Term { words: "b", colour: Colour::Vermillion, shape: Shape::Diamond, strong: false, value: |l| l.b },
-    Term { words: "c", colour: Colour::Purple, shape: Shape::Diamond, strong: false, value: |l| l.c },
+    Term {
+        words: SUM,
+        key: None,
+        colour: Colour::Black,
+        shape: Shape::Square,
+        weight: Weight::Halo,
+        value: Ledger::sum,
+    },
+    term("a", "a", Colour::Green, Shape::Triangle, Weight::Strong, |l| l.a),
+    term("½A(e,e)", "lhs", Colour::Blue, Shape::Circle, Weight::Thin, |l| l.lhs),
+    term("b", "b", Colour::Vermillion, Shape::Diamond, Weight::Strong, |l| l.b),
+    term("c", "c", Colour::Purple, Shape::Circle, Weight::Thin, |l| l.c),
 ];
+
+const SUM: &str = "a + b + c";
+
+const fn term(
+    words: &'static str,
+    key: &'static str,
+    colour: Colour,
+    shape: Shape,
+    weight: Weight,
+    value: fn(&Ledger) -> f64,
+) -> Term {
+    Term { words, key: Some(key), colour, shape, weight, value }
+}
 
 /// `½A(e,e)`, the terms `a`, `b`, `c` by their absolute values, and their sum, against `h`, with the bound's own slope
 /// (the square of the claimed rate) beside them.
@@ -43,7 +68,8 @@ pub fn ledger(record: &StudyRecord) -> Option<Chart> {
         y_label: "terms, squares of the energy norm".into(),
         curves,
         bands: Vec::new(),
-        slopes: if sloped { vec![slope(record)] } else { Vec::new() },
+        guides: Vec::new(),
+        slopes: if sloped { slopes(record) } else { Vec::new() },
         remarks: remarks(record, polygonal),
     })
 }
@@ -55,16 +81,27 @@ fn levels(record: &StudyRecord) -> impl Iterator<Item = (&Level, &Ledger)> {
 fn curve(record: &StudyRecord, term: &Term, polygonal: bool) -> Option<Curve> {
     let marks: Vec<Mark> = levels(record).filter_map(|(level, l)| mark(level, (term.value)(l))).collect();
     let negative = levels(record).any(|(level, l)| is_negative(level, (term.value)(l)));
-    let words = if polygonal && term.words == "a + b + c" { "a + b" } else { term.words };
+    let words = if polygonal && term.words == SUM { "a + b" } else { term.words };
     (!marks.is_empty()).then(|| Curve {
         label: if negative { format!("|{words}|") } else { words.into() },
-        detail: String::new(),
+        detail: rate_detail(term.key.and_then(|key| term_rate(record, key))),
         colour: term.colour,
         shape: term.shape,
-        strong: term.strong,
-        judged: term.strong,
+        weight: term.weight,
+        judged: term.words == SUM || term.key == Some("lhs"),
         marks,
     })
+}
+
+/// The rate of a term under its name; nothing where there is none or it scatters.
+pub(super) fn rate_detail(rate: Option<&Rate>) -> String {
+    rate.filter(|r| Trust::of(r) != Trust::Scattered).map_or_else(String::new, detail)
+}
+
+/// What the star at a rate means, if one is shown.
+pub(super) fn star_remark<'a>(mut rates: impl Iterator<Item = &'a Rate>) -> Option<String> {
+    let drifting = rates.any(|r| Trust::of(r) == Trust::Drifting);
+    drifting.then(|| format!("{STAR} Not asymptotic: the pairwise rates still drift."))
 }
 
 /// Whether a term is zero or no more than `1e-14 A(u,u)`, the rounding that the inequality itself allows for.
@@ -91,7 +128,37 @@ fn inequality(record: &StudyRecord, polygonal: bool) -> String {
         let found: Vec<usize> = levels(record).filter(|(_, l)| l.holds == *wanted).map(|(l, _)| l.level).collect();
         (!found.is_empty()).then(|| format!("{words} on {}", format::level_words(&found)))
     });
-    format!("½A(e,e) ≤ {sum}: {}", parts.collect::<Vec<_>>().join(", "))
+    format!("½A(e,e) ≤ {sum}: {}{}", parts.collect::<Vec<_>>().join(", "), shares(record))
+}
+
+/// `; left over right side 0.927 to 0.9995`, over the levels where the right side is positive.
+fn shares(record: &StudyRecord) -> String {
+    let known = levels(record).filter(|(level, l)| l.sum() > 0.0 && !is_rounding(level, l.sum()));
+    let ratios: Vec<f64> = known.map(|(_, l)| l.lhs / l.sum()).filter(|r| r.is_finite()).collect();
+    let (Some(low), Some(high)) = (ratios.iter().copied().reduce(f64::min), ratios.iter().copied().reduce(f64::max))
+    else {
+        return String::new();
+    };
+    let [low, high] = [low, high].map(|ratio| format::significant(ratio, 4));
+    let range = if low == high { low } else { format!("{low} to {high}") };
+    format!("; left over right side {range}")
+}
+
+/// The bound of the claim, and what is proven of single terms where that is another slope.
+fn slopes(record: &StudyRecord) -> Vec<Slope> {
+    let mut slopes: Vec<Slope> = vec![slope(record)];
+    for proven in proven_terms(record).iter().filter(|p| Ledger::TERMS.contains(&p.term)) {
+        match slopes.iter().position(|s| s.exponent == proven.exponent) {
+            Some(0) => {}
+            Some(same) => slopes[same].source += &format!(", {}", proven.term),
+            None => slopes.push(Slope {
+                exponent: proven.exponent,
+                label: format::order(proven.exponent),
+                source: format!("proven of {}", proven.term),
+            }),
+        }
+    }
+    slopes
 }
 
 /// Squares fall twice as fast as norms: `h²` for `O(h)`, `h³ᐟ²` for `O(h³ᐟ⁴)`.
@@ -110,6 +177,7 @@ fn remarks(record: &StudyRecord, polygonal: bool) -> Vec<String> {
     if levels(record).any(|(level, l)| TERMS.iter().any(|t| is_negative(level, (t.value)(l)))) {
         remarks.push("Hollow marks: the absolute value of a negative term.".into());
     }
+    remarks.extend(star_remark(TERMS.iter().filter_map(|t| term_rate(record, t.key?))));
     for term in TERMS.iter().filter(|t| !(polygonal && t.words == "c")) {
         let zero: Vec<usize> =
             levels(record).filter(|(level, l)| is_rounding(level, (term.value)(l))).map(|(l, _)| l.level).collect();

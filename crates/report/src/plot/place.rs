@@ -61,6 +61,16 @@ pub(crate) fn along(line: &[(f64, f64)], step: f64) -> Vec<(f64, f64)> {
     points
 }
 
+/// Dashes of that length from one point to another, spaces as long between them; a dash stands at each end.
+pub(crate) fn dashes(from: (f64, f64), to: (f64, f64), length: f64) -> Vec<[(f64, f64); 2]> {
+    let (dx, dy) = (to.0 - from.0, to.1 - from.1);
+    // n dashes and n − 1 spaces
+    let count = (0.5 * (dx.hypot(dy) / length + 1.0)).round().max(1.0) as usize;
+    let pieces = (2 * count - 1) as f64;
+    let at = |piece: usize| (from.0 + dx * piece as f64 / pieces, from.1 + dy * piece as f64 / pieces);
+    (0..count).map(|i| [at(2 * i), at(2 * i + 1)]).collect()
+}
+
 /// Free space asked for around a box.
 const CLEAR: f64 = 24.0;
 /// Step of the search.
@@ -116,6 +126,15 @@ mod tests {
         assert_eq!(spread(&[195.0, 198.0], 20.0, 0.0, 200.0), [180.0, 200.0]);
         assert_eq!(spread(&[1.0, 2.0], 20.0, 0.0, 200.0), [0.0, 20.0]);
         assert!(spread(&[], 20.0, 0.0, 1.0).is_empty());
+    }
+
+    #[test]
+    fn dashes_begin_and_end_at_the_ends() {
+        let found = dashes((0.0, 0.0), (30.0, 40.0), 10.0);
+        assert_eq!(found.len(), 3);
+        assert_eq!((found[0][0], found[2][1]), ((0.0, 0.0), (30.0, 40.0)));
+        assert_eq!(found[1], [(12.0, 16.0), (18.0, 24.0)]);
+        assert_eq!(dashes((0.0, 0.0), (3.0, 0.0), 10.0), [[(0.0, 0.0), (3.0, 0.0)]]);
     }
 
     #[test]

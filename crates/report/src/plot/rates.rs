@@ -1,6 +1,6 @@
 //! `rates`: the errors of a case against its measured mesh size.
 
-use super::chart::{Band, Chart, Colour, Curve, Mark, MarkKind, Shape, Slope};
+use super::chart::{Band, Chart, Colour, Curve, Mark, MarkKind, Shape, Slope, Weight};
 use crate::format;
 use crate::levels;
 use crate::markdown;
@@ -27,6 +27,7 @@ pub fn rates(record: &StudyRecord) -> Option<Chart> {
         x_label: "mesh size h (largest side)".into(),
         y_label: y_label(record),
         bands: judged_curve.iter().filter_map(|c| band(record, c.colour)).collect(),
+        guides: Vec::new(),
         slopes: if judged_curve.is_some_and(|c| c.has_slope()) { slopes(record) } else { Vec::new() },
         curves,
         remarks: remarks(record),
@@ -62,14 +63,14 @@ fn curve(record: &StudyRecord, norm: &Norm) -> Option<Curve> {
         detail: rate.map_or_else(String::new, detail),
         colour,
         shape,
-        strong: judged || matches!(norm.key, "strain" | "energy"),
+        weight: if judged || matches!(norm.key, "strain" | "energy") { Weight::Strong } else { Weight::Thin },
         judged,
         marks,
     })
 }
 
 /// The rate under a curve's name, starred where it is not asymptotic.
-fn detail(rate: &Rate) -> String {
+pub(super) fn detail(rate: &Rate) -> String {
     match Trust::of(rate) {
         Trust::Settled => format::interval(rate.slope, rate.low, rate.high),
         Trust::Drifting => format!("{}{STAR}", format::interval(rate.slope, rate.low, rate.high)),
@@ -78,7 +79,7 @@ fn detail(rate: &Rate) -> String {
 }
 
 /// Marks a rate that is not asymptotic.
-const STAR: &str = "*";
+pub(super) const STAR: &str = "*";
 
 fn mark(level: &Level, norm: &Norm) -> Option<Mark> {
     let kind = kind(level, norm.value(level)?);
@@ -108,11 +109,9 @@ fn band(record: &StudyRecord, colour: Colour) -> Option<Band> {
     })
 }
 
-/// The paper's bound and today's, equal ones together; the expected rate joins them, and stands alone if there are
-/// none.
+/// The paper's bound, today's and the expected rate, equal ones together.
 fn slopes(record: &StudyRecord) -> Vec<Slope> {
     let bounds = &record.bounds;
-    let proven = bounds.paper.is_some() || bounds.today.is_some();
     let mut slopes: Vec<Slope> = Vec::new();
     for (value, source) in [(bounds.paper, "paper"), (bounds.today, "today"), (bounds.expected, "expected")] {
         let Some(exponent) = value.filter(|x| x.is_finite()) else {
@@ -120,7 +119,6 @@ fn slopes(record: &StudyRecord) -> Vec<Slope> {
         };
         match slopes.iter_mut().find(|s| s.exponent == exponent) {
             Some(same) => same.source += &format!(", {source}"),
-            None if proven && source == "expected" => {}
             None => slopes.push(Slope { exponent, label: format::order(exponent), source: source.into() }),
         }
     }

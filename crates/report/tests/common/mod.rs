@@ -3,8 +3,8 @@
 #![allow(dead_code, reason = "each test file uses its own part")]
 
 use signorini_study::record::{
-    Bounds, Budget, ClaimKind, Errors, Kkt, Ledger, Level, Outcome, Rate, Reference, SCHEMA, SolverRecord, StudyRecord,
-    Verdict,
+    Bounds, Budget, ClaimKind, ContactMeasure, Errors, FormulaValues, Kkt, Ledger, Level, Outcome, PressureSource,
+    Rate, Reference, ReferencePressure, SCHEMA, SolverRecord, StudyRecord, Verdict, ZoneProfile,
 };
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -53,6 +53,81 @@ pub fn healthy() -> StudyRecord {
     record
 }
 
+/// Theorem 3.3: a ledger whose parts fall like `h²`, `|b|` and `|c|` nearly equal and of opposite signs, rates by the
+/// program's own fit, meshes too irregular for the theorem.
+pub fn arc() -> StudyRecord {
+    let parts = |h: f64| {
+        [
+            ("trace_interpolation", 0.021 * h.powi(2)),
+            ("jump_minus_chord", 0.08 * h.powf(1.9)),
+            ("nodal_minus_chord", 0.0805 * h.powf(1.9)),
+            ("nodal_minus_jump", 0.004 * h.powi(2)),
+        ]
+    };
+    let mut record = with_parts(parts, |h| [0.0045 * h * h, -0.0046 * h * h * (1.0 + h)]);
+    (record.claim, record.study) = ("theorem-3-3".into(), "theorem-3-3".into());
+    record.hypotheses = vec!["u ∈ H²".into(), "strongly regular family".into()];
+    record.bounds = Bounds { paper: Some(0.75), today: None, expected: Some(1.0) };
+    for level in &mut record.levels {
+        (level.side_ratio, level.straight_over_chord) = (7.4 + 0.01 * level.level as f64, Some(3.1));
+    }
+    record
+}
+
+/// Theorem 3.4: `b` of full sides negative, that of switch sides wherever the switch point sits.
+pub fn gap() -> StudyRecord {
+    let parts = |h: f64| {
+        let k = (std::f64::consts::SQRT_2 / h / 8.0).log2();
+        let switch = 0.004 * h * h * (1.5 + (2.1 * k).sin());
+        [("b_gap", -0.03 * h * h), ("b_switch", switch), ("gap_interpolation", 0.01 * h * h), ("unused", 0.0)]
+    };
+    let mut record = with_parts(parts, |h| [-0.027 * h * h, 0.0002 * h.powi(3)]);
+    (record.claim, record.study) = ("theorem-3-4".into(), "theorem-3-4".into());
+    record.levels.iter_mut().for_each(|l| l.straight_over_chord = Some(1.2));
+    record
+}
+
+/// A healthy record with these parts and `[b, c]` on each level, and the rates that follow.
+fn with_parts(parts: impl Fn(f64) -> [(&'static str, f64); 4], zone: impl Fn(f64) -> [f64; 2]) -> StudyRecord {
+    let mut record = healthy();
+    for level in &mut record.levels {
+        let h = level.h;
+        if let Some(ledger) = &mut level.ledger {
+            [ledger.b, ledger.c] = zone(h);
+            ledger.parts = parts(h).into_iter().filter(|p| p.0 != "unused").map(|(n, x)| (n.to_string(), x)).collect();
+        }
+    }
+    record.rates = signorini_study::rate::all(&record.levels, "strain");
+    record
+}
+
+/// Hertz's ellipse with half width 0.1 and peak 2 on a zone of length 1, pressed 2 % too hard, with an exponent to scale by.
+pub fn pressed(scale: f64) -> StudyRecord {
+    let mut record = healthy();
+    let coordinate: Vec<f64> = (0..=100).map(|i| f64::from(i) * 0.01).collect();
+    let formula = |x: &f64| scale * 2.0 * (1.0 - (x / 0.1).powi(2)).max(0.0).sqrt();
+    let reference: Vec<f64> = coordinate.iter().map(formula).collect();
+    record.zone = Some(ZoneProfile {
+        across_gap: true,
+        symmetric: true,
+        points: coordinate.iter().map(|x| [*x, 0.0]).collect(),
+        pressure: reference.iter().map(|p| 1.02 * p).collect(),
+        gap: coordinate.iter().map(|x| scale * (x - 0.1).max(0.0).powf(1.5)).collect(),
+        reference: Some(ReferencePressure { source: PressureSource::Formula, pressure: reference }),
+        coordinate,
+    });
+    for level in &mut record.levels {
+        let half_width = if level.level < 3 { 0.11 } else { 0.0995 };
+        let formula = FormulaValues { force: None, half_width: Some(0.1), peak_pressure: Some(2.0 * scale) };
+        let (force, peak_pressure) = (0.3 * scale, 2.04 * scale);
+        level.contact =
+            Some(ContactMeasure { force, half_width, peak_pressure, formula: Some(formula), profile: None });
+        level.errors.half_width = Some(half_width / 0.1 - 1.0);
+        level.errors.peak_pressure = Some(0.02);
+    }
+    record
+}
+
 /// An empty record of one case with these levels.
 pub fn blank(levels: Vec<Level>) -> StudyRecord {
     StudyRecord {
@@ -67,6 +142,7 @@ pub fn blank(levels: Vec<Level>) -> StudyRecord {
         parameters: BTreeMap::from([("alpha".into(), 1.5), ("N".into(), 3.0)]),
         claim: "theorem-3.1".into(),
         statement: "|u − u_h| ≤ c h".into(),
+        hypotheses: vec!["u ∈ H²".into(), "regular family".into()],
         kind: ClaimKind::Rate,
         norm: "strain".into(),
         family: "criss-cross".into(),
@@ -117,6 +193,7 @@ fn level(k: usize, errors: impl Fn(f64) -> Errors) -> Level {
         warnings: Vec::new(),
         excluded: None,
         solution_energy: Some(1.0),
+        solution_h1: None,
         solution_trace: Some(1.0),
         contact: None,
     }
@@ -214,6 +291,8 @@ pub fn hard() -> Vec<(&'static str, StudyRecord)> {
         ("long-words", words),
         ("unknown-norm", unknown),
         ("pressure", pressure),
+        ("arc", arc()),
+        ("gap", gap()),
     ]
 }
 

@@ -1,6 +1,9 @@
 //! The catalogue of claims: statement, hypotheses, the paper's bound, today's bound, sources.
 
 pub mod catalogue;
+pub mod hypothesis;
+pub mod proof;
+pub mod quantity;
 
 use crate::record::{Bounds, ClaimKind};
 

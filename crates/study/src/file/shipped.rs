@@ -17,24 +17,34 @@ macro_rules! shipped {
 
 shipped! {
     Standard "":
+        "averaged-normals"
         "corner-patch"
+        "hertz"
         "lemma-2-1"
         "lemma-3-2"
         "lemma-3-3-full"
         "lemma-3-3"
         "lemma-3-4"
         "many-switches"
+        "pin-in-hole"
         "remark-3-2a"
         "remark-3-2b"
+        "remark-3-4"
         "theorem-3-1-natural"
         "theorem-3-1-smooth"
+        "theorem-3-3"
+        "theorem-3-4"
         "two-squares"
     ;
     Controls "controls/":
+        "chord-normals"
+        "chords"
         "fixed-quadrature"
+        "hertz-plane-stress"
         "loose-solver"
         "roaming-switch"
         "same-mesh-twice"
+        "skewed-parameter"
         "too-few-levels"
         "wrong-mu"
     ;

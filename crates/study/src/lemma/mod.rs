@@ -180,6 +180,7 @@ fn level(index: usize, cells: usize, certificate: Certificate, errors: Errors, b
         warnings: Vec::new(),
         excluded: None,
         solution_energy: None,
+        solution_h1: None,
         solution_trace: None,
         contact: None,
     }

@@ -15,11 +15,13 @@
 
 mod guard;
 mod line;
+mod of_ledger;
 mod of_levels;
 pub mod student;
 mod window;
 
 pub use guard::{NoFit, check};
+pub use of_ledger::{PREFIX as LEDGER, fit_term};
 pub use of_levels::{ROUNDING, all, fit_levels, is_rounding, points, rounding_floor};
 
 use crate::record::Rate;

@@ -1,6 +1,6 @@
 //! Rates of a record's levels.
 
-use super::{NoFit, Point, fit_above};
+use super::{NoFit, Point, fit_above, of_ledger};
 use crate::record::{Errors, Level, Rate};
 use std::collections::BTreeMap;
 
@@ -43,15 +43,17 @@ pub fn fit_levels(levels: &[Level], norm: &str) -> Result<Rate, NoFit> {
     fit_above(&points(levels, norm), rounding_floor(levels, norm))
 }
 
-/// Every rate that the levels can carry by name of the norm, and under `dofs` the rate of the claim's `norm`
-/// against `dofs^{-1/2}` in place of `h`. None where a usable level's error is rounding.
+/// Every rate that the levels can carry by name of the norm; under `ledger.<term>` those of the ledger's terms, and under
+/// `dofs` the rate of the claim's `norm` against `dofs^{-1/2}` in place of `h`. None where a usable level's error is
+/// rounding.
 pub fn all(levels: &[Level], norm: &str) -> BTreeMap<String, Rate> {
     if levels.iter().any(|l| l.excluded.is_none() && is_rounding(l)) {
         return BTreeMap::new();
     }
     let named = Errors::NORMS.iter().map(|name| (*name, fit_levels(levels, name)));
     let dofs = ("dofs", fit_dofs(levels, norm));
-    named.chain([dofs]).filter_map(|(name, rate)| Some((name.to_string(), rate.ok()?))).collect()
+    let norms = named.chain([dofs]).filter_map(|(name, rate)| Some((name.to_string(), rate.ok()?)));
+    norms.chain(of_ledger::rates(levels)).collect()
 }
 
 fn fit_dofs(levels: &[Level], norm: &str) -> Result<Rate, NoFit> {

@@ -270,6 +270,7 @@ fn conclude(
         parameters: case.parameters.clone(),
         claim: claim.id.clone(),
         statement: claim.statement.clone(),
+        hypotheses: claim.hypotheses.clone(),
         kind: claim.kind,
         norm: claim.norm.clone(),
         family: case.family_name().to_owned(),

@@ -4,7 +4,8 @@
 
 use super::records::plain;
 use super::{StoreError, read_json, write_json};
-use crate::record::{Level, Reference, StudyRecord};
+use crate::rate;
+use crate::record::{Level, Rate, Reference, StudyRecord};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -31,7 +32,7 @@ pub struct BaselineCase {
     pub reference_dofs: Option<usize>,
     /// From the coarsest to the finest.
     pub levels: Vec<BaselineLevel>,
-    /// Slopes by name of the error norm.
+    /// Slopes by name of the error norm; the terms of the ledger follow from errors that are stored.
     pub rates: BTreeMap<String, f64>,
 }
 
@@ -116,9 +117,14 @@ impl BaselineCase {
             profile: record.profile.clone(),
             reference_dofs: reference_dofs(record),
             levels: record.levels.iter().map(BaselineLevel::from).collect(),
-            rates: record.rates.iter().map(|(name, rate)| (name.clone(), rate.slope)).collect(),
+            rates: norm_rates(record).map(|(name, rate)| (name.clone(), rate.slope)).collect(),
         }
     }
+}
+
+/// The rates of a record that a baseline keeps: all but those of the ledger's terms.
+pub(super) fn norm_rates(record: &StudyRecord) -> impl Iterator<Item = (&String, &Rate)> {
+    record.rates.iter().filter(|(name, _)| !name.starts_with(rate::LEDGER))
 }
 
 /// Dofs of a record's discrete reference.

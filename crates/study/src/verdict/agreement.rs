@@ -5,6 +5,7 @@
 //! still add, and where that is more than half of the bound nothing can be said.
 
 use super::{JudgeInput, fail, inconclusive, pass};
+use crate::claim::quantity::in_words;
 use crate::record::Verdict;
 
 /// Rule of the kind `agreement`.
@@ -18,8 +19,8 @@ pub(super) fn judge(input: &JudgeInput) -> Verdict {
     };
     let step = (finest - before).abs();
     let finding = format!(
-        "{} is {finest:.3e} on the finest level, {:.3e} are allowed; the last refinement moved it by {step:.1e}",
-        input.norm, bound
+        "the {} is {finest:.3e} on the finest level, {bound:.3e} are allowed; the last refinement moved it by {step:.1e}",
+        in_words(input.norm)
     );
     if finest.abs() > bound + step {
         fail(vec![finding])

@@ -6,14 +6,16 @@
 //! largest is held against the smallest; if some values vanish that ratio says nothing, and the verdict is inconclusive.
 
 use super::{JudgeInput, fail, inconclusive, ledger, pass};
+use crate::claim::quantity::in_words;
 use crate::record::{Level, Verdict};
 
 /// Fewest levels that show boundedness.
 const MIN_LEVELS: usize = 3;
 
-/// The constant of the given name on a level: `b_over_h2` is `|b|/h²` of the ledger, any other name an error's own size.
+/// The constant of the given name on a level: `b_over_h2` is `|b|/h²` of the ledger, `solution_h1` is `‖u_h‖_1`, any other name an error's own size.
 pub fn constant(level: &Level, norm: &str) -> Option<f64> {
     match norm {
+        "solution_h1" => level.solution_h1,
         "b_over_h2" => level.ledger.as_ref().map(|t| t.b.abs() / (level.h * level.h)),
         _ => level.errors.size(norm),
     }
@@ -33,10 +35,10 @@ pub(super) fn judge(input: &JudgeInput) -> Verdict {
     let smallest = constants.iter().copied().fold(f64::INFINITY, f64::min);
     let mut verdict = match input.gates.constant {
         Some(reference) => within(input, largest, reference, "the reference constant"),
-        None if largest == 0.0 => pass(vec![format!("{} vanishes on every level", input.norm)]),
+        None if largest == 0.0 => pass(vec![format!("{} vanishes on every level", in_words(input.norm))]),
         None if smallest == 0.0 => inconclusive(vec![format!(
             "{} vanishes on some levels and reaches {largest:.3e} on others: state a reference constant",
-            input.norm
+            in_words(input.norm)
         )]),
         None => within(input, largest, smallest, "the smallest"),
     };
@@ -46,6 +48,7 @@ pub(super) fn judge(input: &JudgeInput) -> Verdict {
 
 fn within(input: &JudgeInput, largest: f64, reference: f64, name: &str) -> Verdict {
     let spread = input.gates.spread;
-    let finding = format!("{} reaches {largest:.3e}; {spread} times {name} is {:.3e}", input.norm, spread * reference);
+    let words = in_words(input.norm);
+    let finding = format!("{words} reaches {largest:.3e}; {spread} times {name} is {:.3e}", spread * reference);
     if largest <= spread * reference { pass(vec![finding]) } else { fail(vec![finding]) }
 }

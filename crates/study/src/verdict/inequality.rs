@@ -4,6 +4,7 @@
 //! between the terms of the ledger (the claim names `ledger`). Where a ledger is present it must hold in both.
 
 use super::{JudgeInput, fail, inconclusive, ledger, pass};
+use crate::claim::quantity::in_words;
 use crate::record::Verdict;
 
 /// A vanishing quantity is at most this times its scale.
@@ -30,25 +31,27 @@ fn ledger_holds(input: &JudgeInput) -> Verdict {
 }
 
 fn vanishes(input: &JudgeInput) -> Verdict {
+    let words = in_words(input.norm);
     let mut relative = Vec::new();
     for level in input.levels {
         match (level.errors.size(input.norm), level.solution_trace) {
             (Some(value), Some(scale)) if scale > 0.0 => relative.push((level.level, value / scale)),
             _ => {
-                return inconclusive(vec![format!("level {}: no {} or no scale for it", level.level, input.norm)]);
+                return inconclusive(vec![format!("level {}: no {words} or no scale for it", level.level)]);
             }
         }
     }
     let mut failures = ledger::broken(input);
-    failures.extend(relative.iter().filter(|(_, r)| *r > VANISHES).map(|(level, r)| {
-        format!("level {level}: {} is {r:.2e} of the displacement, more than {VANISHES:.0e}", input.norm)
-    }));
+    failures.extend(
+        relative.iter().filter(|(_, r)| *r > VANISHES).map(|(level, r)| {
+            format!("level {level}: {words} is {r:.2e} of the displacement, more than {VANISHES:.0e}")
+        }),
+    );
     if !failures.is_empty() {
         return fail(failures);
     }
     let largest = relative.iter().fold(0.0_f64, |m, (_, r)| m.max(*r));
-    let mut reasons =
-        vec![format!("{} at most {largest:.2e} of the displacement on {} levels", input.norm, relative.len())];
+    let mut reasons = vec![format!("{words} at most {largest:.2e} of the displacement on {} levels", relative.len())];
     reasons.extend(ledger::undecided(input));
     pass(reasons)
 }

@@ -17,7 +17,7 @@ fn on_levels(input: &JudgeInput, holds: Option<bool>, how: &str) -> Vec<String> 
     ledgers
         .filter(|(_, t)| t.holds == holds)
         .map(|(level, t)| {
-            let right = t.a + t.b + t.c;
+            let right = t.sum();
             format!("level {level}: ½A(e,e) ≤ a + b + c {how}: {:.9e} against {right:.9e}", t.lhs)
         })
         .collect()

@@ -14,6 +14,7 @@
 //! pairwise rate and its continuation one level further must lie above too; to fail by the interval, both must lie below.
 
 use super::{JudgeInput, fail, inconclusive, ledger, pass};
+use crate::claim::quantity::in_words;
 use crate::rate::fit_levels;
 use crate::record::{Bounds, Rate, Verdict};
 
@@ -25,7 +26,7 @@ pub(super) fn judge(input: &JudgeInput) -> Verdict {
     let rate = match fit_levels(input.levels, input.norm) {
         Ok(rate) => rate,
         Err(why) => {
-            return inconclusive(vec![format!("no rate of the {} error: {why}", input.norm)]);
+            return inconclusive(vec![format!("no rate of the {} error: {why}", in_words(input.norm))]);
         }
     };
     let Some((gate, source)) = gate(input.bounds) else {

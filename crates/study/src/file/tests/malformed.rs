@@ -123,7 +123,7 @@ const TABLE: &[Row] = &[
     ("quick = [8, 16, 32, 64]", "quick = [8, 99999]", "[8, 99999", "99999 cells"),
     ("amount = 0.2", "amount = 0.5", "0.5", "amount = 0.5 must lie between 0 and 0.5"),
     ("amount = 0.2 }", "}", "{ name = \"refined\"", "needs `seed` and `amount`"),
-    ("name = \"refined\"", "name = \"structured\"", "1, amount", "belong to random families"),
+    ("name = \"refined\"", "name = \"structured\"", "1, amount", "says nothing about this family"),
     ("name = \"refined\"", "name = \"perturbed\"", "\"two\"", "needs a nested family"),
     ("[levels]", "[reference]\nkind = \"exact\"\n[levels]", "[reference]", "the scene has no exact solution"),
     ("[levels]", "[solver]\ntolerance = 0\n[levels]", "0\n[levels]", "tolerance = 0 must lie between 0 and 1"),

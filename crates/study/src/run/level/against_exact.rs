@@ -1,5 +1,6 @@
 //! A solved level against the exact solution: errors, ledger and budget.
 
+use super::defects::geometry_error;
 use super::parts::{differences, dual_norm, ledger, relative_difference, set_errors, share};
 use super::{Solved, Task};
 use crate::record::{Budget, Ledger, Level};
@@ -46,7 +47,7 @@ impl ExactMeasurement<'_> {
         level.budget = Budget {
             algebraic: share(qp::algebraic_error(&discrete.qp, &solution.raw.x, &solution.raw.multipliers), e, size),
             quadrature: share(load_change + energy_change + (e - base.energy_norm()).abs(), e, size),
-            geometry: Some(0.0),
+            geometry: share(geometry_error(self.exact, materials, &self.task.scene.contact, self.mesh), e, size),
             reference: Some(0.0),
         };
         level.ledger = Some(self.ledger(&base, &fine));

@@ -2,6 +2,7 @@
 
 mod against_exact;
 mod against_overkill;
+mod defects;
 mod parts;
 #[cfg(test)]
 mod tests;
@@ -16,13 +17,14 @@ use crate::reference::exact::Pair;
 use crate::reference::overkill::Overkill;
 use crate::study::{Case, ExactScene, Scene};
 use against_exact::ExactMeasurement;
+use defects::with_normals;
 use signorini_contact::mesh::Mesh;
 use signorini_contact::problem::{Discrete, Problem, Solution, Support};
 use signorini_contact::qp;
 use signorini_contact::quadrature::Cubature;
 use signorini_contact::solver::{Prepared, Settings};
 use signorini_contact::zone::{Zone, side_length};
-use signorini_contact::{Vec2, assembly};
+use signorini_contact::{Vec2, assembly, norm};
 
 /// A solved level: what every measurement starts from.
 struct Solved {
@@ -64,7 +66,8 @@ impl Task<'_> {
         let cubature = self.scene.cubature(1, fixed);
         let supports = self.scene.supports();
         let problem = self.problem(mesh, &supports, &cubature);
-        let discrete = problem.discretise_zone(fine.load.clone(), (self.constrain)(mesh))?;
+        let zone = with_normals((self.constrain)(mesh), mesh, &self.scene.discretisation);
+        let discrete = problem.discretise_zone(fine.load.clone(), zone)?;
         watch.lap(|t| &mut t.assembly);
         let solved = self.solve(&problem, discrete, &mut watch);
         let measured = ExactMeasurement {
@@ -196,6 +199,7 @@ impl Task<'_> {
             switch_sides: None,
             energy: solution.energy,
             solution_energy: Some(solution.strain_energy.sqrt()),
+            solution_h1: Some(norm::of_linear(finest, &self.scene.materials, &solution.displacement).h1_norm()),
             solution_trace: Some(largest_component(&solution.displacement) * zone_length(finest).sqrt()),
             two_way: None,
             mesh_hash: meshed.hash.clone(),

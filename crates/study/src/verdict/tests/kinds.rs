@@ -37,13 +37,13 @@ fn a_vanishing_quantity_vanishes() {
     let judge = |levels| of_kind(ClaimKind::Inequality, "penetration_l2", levels);
     expect(&judge(with(0.0)), Pass, "at most 0.00e0");
     expect(&judge(with(1e-16)), Pass, "on 3 levels");
-    expect(&judge(with(1e-9)), Fail, "level 0: penetration_l2");
+    expect(&judge(with(1e-9)), Fail, "level 0: penetration is 1.00e-9");
     let mut large_units = with(1e-9);
     large_units.iter_mut().for_each(|l| l.solution_trace = Some(1e6));
     expect(&judge(large_units), Pass, "on 3 levels");
     let mut unscaled = with(0.0);
     unscaled[2].solution_trace = None;
-    expect(&judge(unscaled), Inconclusive, "level 2: no penetration_l2 or no scale");
+    expect(&judge(unscaled), Inconclusive, "level 2: no penetration or no scale");
     let mut broken = with(0.0);
     broken[0].ledger = ledger(0.6, 0.0, Some(false));
     expect(&judge(broken), Fail, "is broken");
@@ -86,7 +86,7 @@ fn bounded_constants() {
         levels
     };
     let judge = |values: &[f64]| of_kind(ClaimKind::Bounded, "b_over_h2", with(values));
-    expect(&judge(&[0.3, 0.5, 0.4]), Pass, "reaches 5.000e-1");
+    expect(&judge(&[0.3, 0.5, 0.4]), Pass, "constant b/h² reaches 5.000e-1");
     expect(&judge(&[0.3, 0.6001, 0.4]), Fail, "2 times the smallest");
     expect(&judge(&[0.3, 0.4]), Inconclusive, "2 usable levels");
     expect(&judge(&[0.0, 0.0, 0.0]), Pass, "vanishes on every level");
