@@ -33,13 +33,13 @@ impl Sides<'_> {
             [true, true] => 1.0,
             [false, false] => 0.0,
             // half a side where too few open nodes follow: every node owns its half sides
-            [_, open_last] => self.from_gaps(side, !open_last).unwrap_or(0.5),
+            [_, open_last] => self.share_by_gaps(side, !open_last).unwrap_or(0.5),
         }
     }
 
     /// The active share of a side from the gaps at the next two nodes beyond its open end, which is the last one if
     /// `forward`.
-    fn from_gaps(&self, side: usize, forward: bool) -> Option<f64> {
+    fn share_by_gaps(&self, side: usize, forward: bool) -> Option<f64> {
         let second = self.beyond(side, forward)?;
         let third = self.beyond(second, forward)?;
         let far = usize::from(forward);

@@ -17,7 +17,7 @@ fn hertz_by_hand() {
     let table = "[formula]\nforce = \"P\"\nhalf_width = \"sqrt(4*P*R/(pi*E))\"\npeak_pressure = \"2*P/(pi*half_width)\"\n\
                  pressure = \"peak_pressure*sqrt(pos(1 - (x/half_width)^2))\"";
     let Formula { values, pressure } = formula_of(table).unwrap();
-    let (a, p0) = (0.5641895835477563, 2.2567583341910251);
+    let (a, p0) = (0.564_189_583_547_756_3, 2.256_758_334_191_025);
     assert_eq!(values.force, Some(2.0));
     assert!((values.half_width.unwrap() - a).abs() < 1e-15 && (values.peak_pressure.unwrap() - p0).abs() < 1e-14);
     let p = pressure.unwrap();
