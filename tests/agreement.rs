@@ -19,7 +19,8 @@ fn coarse_studies() -> Vec<Study> {
     // a lemma has nothing to solve
     studies.iter_mut().for_each(|s| s.cases.retain(|c| c.scene().is_some()));
     for case in studies.iter_mut().flat_map(|s| &mut s.cases) {
-        case.quick.truncate(3);
+        // without a reference only certificates are asked for
+        case.quick.truncate(if case.reference == ReferencePlan::None { 2 } else { 3 });
         if let ReferencePlan::Overkill { quick, .. } = &mut case.reference {
             case.quick.truncate(2);
             *quick = 2 * case.quick.last().expect("a level");
