@@ -2,6 +2,7 @@
 //!
 //! The levels are the coarsest ones and references are coarse too: what is asked here holds on every mesh.
 
+use rayon::prelude::*;
 use signorini_study::file::library::shipped;
 use signorini_study::record::{Level, Reference, StudyRecord};
 use signorini_study::run::{Method, Profile, RunSettings, Unwatched, run_case};
@@ -10,15 +11,16 @@ use signorini_study::study::{ReferencePlan, Study};
 /// Scaled residuals of the optimality conditions.
 const CERTIFIED: f64 = 1e-10;
 
-/// The standard studies of contact problems with at most three levels; where there is a discrete reference, with two and a reference twice as
-/// fine, because the interior point is slow on a fine mesh.
+/// The standard studies of contact problems with at most three levels; where there is a discrete reference, with two and a
+/// reference twice as fine, because the interior point is slow on a fine mesh.
 fn coarse_studies() -> Vec<Study> {
     let sources = shipped().select(&[]).expect("shipped studies");
     let mut studies: Vec<Study> = sources.iter().map(|s| s.load().expect("a sound study")).collect();
     // a lemma has nothing to solve
     studies.iter_mut().for_each(|s| s.cases.retain(|c| c.scene().is_some()));
     for case in studies.iter_mut().flat_map(|s| &mut s.cases) {
-        case.quick.truncate(3);
+        // without a reference only certificates are asked for
+        case.quick.truncate(if case.reference == ReferencePlan::None { 2 } else { 3 });
         if let ReferencePlan::Overkill { quick, .. } = &mut case.reference {
             case.quick.truncate(2);
             *quick = 2 * case.quick.last().expect("a level");
@@ -30,7 +32,7 @@ fn coarse_studies() -> Vec<Study> {
 fn run(study: &Study, solver: Option<Method>) -> Vec<StudyRecord> {
     let settings = RunSettings { profile: Profile::Quick, levels: None, solver, partial: None };
     let one = |case| run_case(study, case, &settings, &Unwatched).expect("a run").record;
-    study.cases.iter().map(one).collect()
+    study.cases.par_iter().map(one).collect()
 }
 
 fn place(record: &StudyRecord, level: &Level) -> String {

@@ -117,9 +117,11 @@ fn check_does_everything_but_the_solve() {
     folder.signorini("check loaded").complains(2, &["loaded.toml", "translation of Ω' along (0, 1)"]);
 }
 
-const OF_A_CASE: [&str; 9] = [
+const OF_A_CASE: [&str; 11] = [
     "ledger.png",
     "ledger.svg",
+    "pressure.png",
+    "pressure.svg",
     "rates.png",
     "rates.svg",
     "record.json",

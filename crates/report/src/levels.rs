@@ -1,6 +1,7 @@
 //! The tables of one case: what was measured on each level, and the fitted rates.
 
 use crate::format;
+use crate::formula;
 use crate::ledger;
 use crate::norm::{self, Norm, Trust};
 use crate::table::{Cell, Column, Row, Table};
@@ -36,6 +37,7 @@ pub fn all(record: &StudyRecord) -> Table {
     let mut columns = size_columns();
     columns.extend(error_columns(record));
     columns.extend(contact_columns());
+    columns.extend(formula::columns());
     columns.extend(ledger::columns(record));
     columns.extend(solution_columns());
     build(record, columns)
@@ -135,7 +137,7 @@ pub(crate) fn build(record: &StudyRecord, measured: Vec<Measured<'_>>) -> Table 
 }
 
 /// Drops the columns in which no row has a value.
-fn without_empty(table: Table) -> Table {
+pub(crate) fn without_empty(table: Table) -> Table {
     let filled = |c: usize| table.rows.iter().any(|row| row.cells[c] != Cell::Missing);
     let keep: Vec<usize> = (0..table.columns.len()).filter(|&c| filled(c)).collect();
     let rows = table

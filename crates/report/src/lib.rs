@@ -22,6 +22,7 @@
 
 pub mod error;
 pub mod format;
+pub mod formula;
 pub mod ledger;
 pub mod levels;
 pub mod markdown;
@@ -40,7 +41,7 @@ use signorini_study::store::{remove_if_present, write_atomic, write_summary};
 use std::path::{Path, PathBuf};
 
 /// Writes what there is to read about one case into its folder `dir`: `report.md`, `table.csv`, `table.json`,
-/// `rates.png`, `ledger.png`, `parts.png` and the pictures' twins `rates.svg`, `ledger.svg`, `parts.svg`.
+/// `rates.png`, `ledger.png`, `parts.png`, `pressure.png` and the pictures' twins of the ending `svg`.
 ///
 /// A picture with nothing to show is not written, and one that an earlier run left is removed. Returns the files
 /// written, in that order.
@@ -52,7 +53,13 @@ pub fn render(record: &StudyRecord, dir: &Path) -> Result<Vec<PathBuf>, ReportEr
     let rates = plot::rates(record);
     let ledger = plot::ledger(record);
     let parts = plot::parts(record);
-    let pictures = markdown::Pictures { rates: rates.is_some(), ledger: ledger.is_some(), parts: parts.is_some() };
+    let pressure = plot::pressure(record);
+    let pictures = markdown::Pictures {
+        rates: rates.is_some(),
+        ledger: ledger.is_some(),
+        parts: parts.is_some(),
+        pressure: pressure.is_some(),
+    };
     let mut folder = Folder::new(dir);
     folder.write("report.md", markdown::page(record, pictures).as_bytes())?;
     folder.write("table.csv", &table.to_csv()?)?;
@@ -63,6 +70,10 @@ pub fn render(record: &StudyRecord, dir: &Path) -> Result<Vec<PathBuf>, ReportEr
         let svg = chart.as_ref().map(plot::svg).transpose()?;
         folder.write_or_remove(&format!("{name}.svg"), svg.as_deref().map(str::as_bytes))?;
     }
+    let png = pressure.as_ref().map(plot::zone_png).transpose()?;
+    folder.write_or_remove("pressure.png", png.as_deref())?;
+    let svg = pressure.as_ref().map(plot::zone_svg).transpose()?;
+    folder.write_or_remove("pressure.svg", svg.as_deref().map(str::as_bytes))?;
     Ok(folder.written)
 }
 

@@ -1,6 +1,7 @@
 //! The page of one case: question, claim, set-up, verdict, tables and pictures, in the order a reader asks.
 
 use crate::format;
+use crate::formula;
 use crate::ledger;
 use crate::levels;
 use crate::norm;
@@ -18,6 +19,8 @@ pub struct Pictures {
     pub ledger: bool,
     /// `parts.png`.
     pub parts: bool,
+    /// `pressure.png`.
+    pub pressure: bool,
 }
 
 /// `report.md` of one case.
@@ -32,6 +35,7 @@ pub fn page(record: &StudyRecord, pictures: Pictures) -> String {
         errors(record, pictures.rates),
         ledger_section(record, pictures),
         table_section("Contact", &levels::contact(record), CONTACT_LEGEND),
+        pressure(record, pictures.pressure),
         certificate(record),
         notes(record),
         reproduce(record),
@@ -60,6 +64,10 @@ const DRIFTING_TERMS: &str =
     "\n† Not asymptotic, the pairwise rates still drift; or scattered, and then no rate is shown.\n";
 const CONTACT_LEGEND: &str = "Active: constraints whose multiplier exceeds 1e-8 of the largest. Contact set: length of \
 the symmetric difference with the reference's. Switch point: largest distance of one of the reference's switch points from the nearest discrete one.";
+const FORMULA_LEGEND: &str = "The formula neglects something, the shape of the bodies far from the contact for instance, so \
+the differences need not vanish with h. Force: sum of the multipliers. Half width: half the measure of the contact set, each \
+switch point placed in its side by the gap beyond it. Peak pressure: the largest λᵢ/mᵢ. Of a symmetric half model all are \
+those of the whole.";
 const SOLUTION_LEGEND: &str = "Two-way: relative difference of A(e,e) by quadrature and by energies. KKT: scaled \
 residuals of the optimality conditions, recomputed from the raw data. Algebraic, quadrature, reference, and geometry \
 where it is not met exactly: shares of the energy error that are not discretisation.";
@@ -133,6 +141,7 @@ pub(crate) fn kind_words(kind: ClaimKind) -> &'static str {
         ClaimKind::Exact => "exact to rounding on every level",
         ClaimKind::Convergence => "convergence from level to level",
         ClaimKind::Bounded => "a bounded constant",
+        ClaimKind::Agreement => "agreement on the finest level",
     }
 }
 
@@ -265,6 +274,13 @@ fn ledger_section(record: &StudyRecord, pictures: Pictures) -> String {
         body += &format!("\n{}\n{TERMS_LEGEND}\n", rates.to_markdown_above(note));
     }
     section("Ledger", &body)
+}
+
+/// The contact pressure of the finest level, and what a formula says of it.
+fn pressure(record: &StudyRecord, picture: bool) -> String {
+    let image = image(picture, "pressure.png", "Contact pressure and gap along the zone");
+    let table = formula::table(record).map_or_else(String::new, |t| format!("{}\n{FORMULA_LEGEND}", t.to_markdown()));
+    section("Contact pressure", &format!("{image}{table}"))
 }
 
 fn image(there: bool, file: &str, words: &str) -> String {

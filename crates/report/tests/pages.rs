@@ -76,7 +76,7 @@ fn a_number_that_is_none_is_refused_and_named() {
 #[test]
 fn page_answers_in_the_order_of_the_questions() {
     let record = common::healthy();
-    let page = markdown::page(&record, markdown::Pictures { rates: true, ledger: true, parts: false });
+    let page = markdown::page(&record, markdown::Pictures { rates: true, ledger: true, parts: false, pressure: false });
     let order = [
         "# Two blocks in flat contact",
         "**pass**",
@@ -271,4 +271,16 @@ fn a_lemma_shows_only_what_was_measured() -> Tested {
     record.levels.iter_mut().for_each(|l| l.min_angle = 0.0);
     assert!(!markdown::page(&record, markdown::Pictures::default()).contains("min angle"));
     Ok(())
+}
+
+#[test]
+fn a_formula_stands_beside_what_was_measured() {
+    let record = common::pressed(1.0);
+    let pictures = markdown::Pictures { pressure: true, ..Default::default() };
+    let page = markdown::page(&record, pictures);
+    let section = page.split("## Contact pressure").nth(1).unwrap_or("");
+    assert!(section.contains("![Contact pressure and gap along the zone](pressure.png)"));
+    let row = "| 6 | 0.0027621 | 0.099500 | 0.10000 | -0.0050000 | 2.0400 | 2.0000 | 0.020000 | 0.30000 |";
+    assert!(section.contains(row), "{section}");
+    assert!(!markdown::page(&common::healthy(), markdown::Pictures::default()).contains("## Contact pressure"));
 }

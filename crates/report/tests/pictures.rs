@@ -103,3 +103,40 @@ fn greyed_levels_and_zero_terms_are_said() -> Result<(), &'static str> {
     assert!(ledger.subtitle[1].contains("BROKEN on levels 2, 5"), "{:?}", ledger.subtitle);
     Ok(())
 }
+
+#[test]
+fn the_zone_is_shown_where_the_bodies_touch() -> Result<(), Box<dyn std::error::Error>> {
+    let chart = plot::pressure(&common::pressed(1.0)).ok_or("no chart")?;
+    // from the axis to 1.6 times the edge of the contact
+    assert_eq!(chart.edge, Some(0.1));
+    assert!(chart.window.0 == 0.0 && (chart.window.1 - 0.16).abs() < 1e-12, "{:?}", chart.window);
+    let marks = chart.pressure.iter().find(|t| t.marks).ok_or("no marks")?;
+    assert!((marks.points[0].1 - 2.04).abs() < 1e-15 && marks.points.len() == 101);
+    assert!(chart.subtitle[1].contains("half width 0.09950 (formula 0.1000, −0.50 %)"), "{:?}", chart.subtitle);
+    assert!(chart.remarks[0].contains("Level 6: 10 of 101 nodes"), "{:?}", chart.remarks);
+    let (first, second) = (plot::zone_png(&chart)?, plot::zone_png(&chart)?);
+    assert_eq!((size(&first), first == second), ((WIDTH, HEIGHT), true));
+    Ok(())
+}
+
+#[test]
+fn hard_zones_are_drawn_or_declined() -> Result<(), Box<dyn std::error::Error>> {
+    assert!(plot::pressure(&common::healthy()).is_none());
+    let dir = common::folder("zones");
+    fs::create_dir_all(&dir)?;
+    let mut open = common::pressed(1.0);
+    let mut alone = common::pressed(1e-9);
+    let mut one = common::pressed(1.0);
+    if let (Some(open), Some(alone), Some(one)) = (&mut open.zone, &mut alone.zone, &mut one.zone) {
+        open.pressure.iter_mut().for_each(|p| *p = 0.0);
+        (alone.reference, alone.symmetric) = (None, false);
+        one.coordinate.truncate(1);
+    }
+    assert!(plot::pressure(&one).is_none());
+    for (name, record) in [("open", open), ("alone", alone), ("large", common::pressed(3e7))] {
+        let chart = plot::pressure(&record).ok_or("no chart")?;
+        fs::write(dir.join(format!("{name}.png")), plot::zone_png(&chart)?)?;
+        assert!(plot::zone_svg(&chart)?.trim_end().ends_with("</svg>"), "{name}");
+    }
+    Ok(())
+}

@@ -59,6 +59,7 @@ pub(crate) fn level(k: usize, error: f64) -> Level {
         solution_energy: Some(1.0),
         solution_h1: None,
         solution_trace: Some(1.0),
+        contact: None,
     }
 }
 
@@ -90,6 +91,7 @@ pub(crate) fn record(study: &str, case: &str, levels: Vec<Level>) -> StudyRecord
         expect: None,
         expected_inconclusive: None,
         notes: Vec::new(),
+        zone: None,
     }
 }
 

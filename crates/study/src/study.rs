@@ -4,7 +4,7 @@ use crate::claim::Claim;
 use crate::exact::Exact;
 use crate::family::Family;
 use crate::lemma::Lemma;
-use crate::record::{Bounds, Outcome};
+use crate::record::{Bounds, FormulaValues, Outcome};
 use signorini_contact::element::CurvedElement;
 use signorini_contact::geometry::SharedCurve;
 use signorini_contact::{Body, ContactLine, Material, Path, Point, Vec2, mesh, solver};
@@ -136,7 +136,8 @@ pub struct Gates {
     pub fall: f64,
     /// Kind `bounded`: largest over smallest constant, or largest over `constant` where that is given (2).
     pub spread: f64,
-    /// Kind `bounded`: the reference constant of an upper bound that may vanish on some meshes (none).
+    /// Kind `bounded`: the reference constant of an upper bound that may vanish on some meshes; kind `agreement`: the largest
+    /// relative difference (none).
     pub constant: Option<f64>,
     /// Largest share of a budget item (0.05).
     pub share: f64,
@@ -173,6 +174,19 @@ pub struct Scene {
     pub body_force: [Option<VectorField>; 2],
     /// The exact solution, with the materials that it solves for.
     pub exact: Option<ExactScene>,
+    /// Whether the scene is one half of a symmetric one and the contact zone starts on the axis.
+    pub symmetric: bool,
+    /// What a formula says of the contact.
+    pub formula: Option<Formula>,
+}
+
+/// What a formula of engineering says of the contact. It neglects something; nothing is solved with it.
+#[derive(Clone)]
+pub struct Formula {
+    /// Force, half width and peak pressure.
+    pub values: FormulaValues,
+    /// The pressure at a point of `∂Ω'` in the zone, per length or, across a gap, per width in `η`.
+    pub pressure: Option<Arc<dyn Fn(Point) -> f64 + Send + Sync>>,
 }
 
 /// How curved sides and the contact zone are discretised: as in the paper, unless a control plants a defect.
@@ -216,6 +230,8 @@ pub struct Block {
     pub divisions: [usize; 2],
     /// The curve of side `k`, from corner `k` to corner `k + 1`; none where it is straight.
     pub curves: [Option<SharedCurve>; 4],
+    /// How many times as long the last cell is as the first, in the two directions; `[1, 1]` is even.
+    pub grading: [f64; 2],
 }
 
 /// A named boundary part and its condition.

@@ -26,8 +26,8 @@ pub(super) type Drawn = Result<(), ReportError>;
 
 /// Draws the chart on a canvas of [`WIDTH`] × [`HEIGHT`]. A chart without marks says so in words.
 pub(crate) fn draw<DB: DrawingBackend>(chart: &Chart, canvas: &Canvas<DB>) -> Drawn {
-    let top = heading(chart, canvas)?;
-    let bottom = remarks(chart, canvas)?;
+    let top = heading(&chart.title, &chart.subtitle, &chart.y_label, canvas)?;
+    let bottom = remarks(&chart.remarks, canvas)?;
     let Some(frame) = frame(chart, canvas, top, bottom)? else {
         let middle = (f64::from(WIDTH) / 2.0, (top + bottom) / 2.0);
         return canvas.text("nothing to plot: no positive value", middle, Anchor::Centre, TEXT, Colour::Grey);
@@ -47,12 +47,17 @@ pub(crate) fn draw<DB: DrawingBackend>(chart: &Chart, canvas: &Canvas<DB>) -> Dr
 }
 
 /// Title and subtitle; returns where the frame may begin.
-fn heading<DB: DrawingBackend>(chart: &Chart, canvas: &Canvas<DB>) -> Result<f64, ReportError> {
+pub(super) fn heading<DB: DrawingBackend>(
+    title: &str,
+    subtitle: &[String],
+    y_label: &str,
+    canvas: &Canvas<DB>,
+) -> Result<f64, ReportError> {
     let width = f64::from(WIDTH) - 2.0 * MARGIN;
-    let title = canvas.cut(&chart.title, TITLE, width)?;
+    let title = canvas.cut(title, TITLE, width)?;
     canvas.text(&title, (MARGIN, 40.0), Anchor::Left, TITLE, Colour::Black)?;
     let mut y = 40.0 + 1.3 * LEADING;
-    for line in &chart.subtitle {
+    for line in subtitle {
         let parts = canvas.wrap(line, TEXT, width)?;
         let parts = ended(canvas, parts, 2, width)?;
         for part in parts {
@@ -60,15 +65,15 @@ fn heading<DB: DrawingBackend>(chart: &Chart, canvas: &Canvas<DB>) -> Result<f64
             y += LEADING;
         }
     }
-    canvas.text(&chart.y_label, (MARGIN, y + 14.0), Anchor::Left, TEXT, Colour::Grey)?;
+    canvas.text(y_label, (MARGIN, y + 14.0), Anchor::Left, TEXT, Colour::Grey)?;
     Ok(y + 14.0 + LEADING)
 }
 
 /// Remarks at the foot, at most four lines; returns where the frame has to end.
-fn remarks<DB: DrawingBackend>(chart: &Chart, canvas: &Canvas<DB>) -> Result<f64, ReportError> {
+pub(super) fn remarks<DB: DrawingBackend>(words: &[String], canvas: &Canvas<DB>) -> Result<f64, ReportError> {
     let width = f64::from(WIDTH) - 2.0 * MARGIN;
     let mut lines = Vec::new();
-    for remark in &chart.remarks {
+    for remark in words {
         lines.extend(canvas.wrap(remark, TEXT, width)?);
     }
     let lines = ended(canvas, lines, 4, width)?;

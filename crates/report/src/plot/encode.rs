@@ -2,7 +2,9 @@
 
 use super::canvas::Canvas;
 use super::chart::Chart;
-use super::draw::draw;
+use super::draw::{Drawn, draw};
+use super::zone_chart::ZoneChart;
+use super::zone_draw;
 use crate::error::ReportError;
 use plotters::prelude::{BitMapBackend, SVGBackend};
 
@@ -18,12 +20,24 @@ const FINER: u32 = 2;
 /// # Errors
 /// [`ReportError::Picture`] if drawing or encoding fails.
 pub fn png(chart: &Chart) -> Result<Vec<u8>, ReportError> {
+    bitmap(|canvas| draw(chart, canvas))
+}
+
+/// The picture of a contact zone, as [`png`].
+///
+/// # Errors
+/// As [`png`].
+pub fn zone_png(chart: &ZoneChart) -> Result<Vec<u8>, ReportError> {
+    bitmap(|canvas| zone_draw::draw(chart, canvas))
+}
+
+fn bitmap(paint: impl Fn(&Canvas<BitMapBackend>) -> Drawn) -> Result<Vec<u8>, ReportError> {
     let (width, height) = (WIDTH * FINER, HEIGHT * FINER);
     let mut dots = vec![255_u8; (width * height * 3) as usize];
     {
         let backend = BitMapBackend::with_buffer(&mut dots, (width, height));
         let canvas = Canvas::new(backend, f64::from(FINER))?;
-        draw(chart, &canvas)?;
+        paint(&canvas)?;
         canvas.finish()?;
     }
     encode(&averaged(&dots)).map_err(|e| ReportError::Picture(e.to_string()))
@@ -34,10 +48,22 @@ pub fn png(chart: &Chart) -> Result<Vec<u8>, ReportError> {
 /// # Errors
 /// [`ReportError::Picture`] if drawing fails.
 pub fn svg(chart: &Chart) -> Result<String, ReportError> {
+    vector(|canvas| draw(chart, canvas))
+}
+
+/// The picture of a contact zone, as [`svg`].
+///
+/// # Errors
+/// As [`svg`].
+pub fn zone_svg(chart: &ZoneChart) -> Result<String, ReportError> {
+    vector(|canvas| zone_draw::draw(chart, canvas))
+}
+
+fn vector(paint: impl Fn(&Canvas<SVGBackend>) -> Drawn) -> Result<String, ReportError> {
     let mut text = String::new();
     {
         let canvas = Canvas::new(SVGBackend::with_string(&mut text, (WIDTH, HEIGHT)), 1.0)?;
-        draw(chart, &canvas)?;
+        paint(&canvas)?;
         canvas.finish()?;
     }
     Ok(text)

@@ -1,4 +1,5 @@
 //! Pictures of a record: [`rates()`], [`ledger()`] and [`parts()`] build a [`Chart`], pure data; [`png()`] and [`svg()`] draw it.
+//! [`pressure()`] builds a [`ZoneChart`] of the contact zone, for [`zone_png()`] and [`zone_svg()`].
 
 mod annotate;
 mod axis;
@@ -8,13 +9,19 @@ mod draw;
 mod encode;
 mod frame;
 mod ledger;
+mod linear;
 mod parts;
 mod place;
+mod pressure;
 mod rates;
 mod triangle;
+mod zone_chart;
+mod zone_draw;
 
 pub use chart::{Band, Chart, Colour, Curve, Guide, Mark, MarkKind, Shape, Slope, Weight};
-pub use encode::{HEIGHT, WIDTH, png, svg};
+pub use encode::{HEIGHT, WIDTH, png, svg, zone_png, zone_svg};
 pub use ledger::ledger;
 pub use parts::parts;
+pub use pressure::{percent, pressure};
 pub use rates::rates;
+pub use zone_chart::{Trace, ZoneChart};

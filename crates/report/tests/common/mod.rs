@@ -3,8 +3,8 @@
 #![allow(dead_code, reason = "each test file uses its own part")]
 
 use signorini_study::record::{
-    Bounds, Budget, ClaimKind, Errors, Kkt, Ledger, Level, Outcome, Rate, Reference, SCHEMA, SolverRecord, StudyRecord,
-    Verdict,
+    Bounds, Budget, ClaimKind, ContactMeasure, Errors, FormulaValues, Kkt, Ledger, Level, Outcome, PressureSource,
+    Rate, Reference, ReferencePressure, SCHEMA, SolverRecord, StudyRecord, Verdict, ZoneProfile,
 };
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -101,6 +101,33 @@ fn with_parts(parts: impl Fn(f64) -> [(&'static str, f64); 4], zone: impl Fn(f64
     record
 }
 
+/// Hertz's ellipse with half width 0.1 and peak 2 on a zone of length 1, pressed 2 % too hard, with an exponent to scale by.
+pub fn pressed(scale: f64) -> StudyRecord {
+    let mut record = healthy();
+    let coordinate: Vec<f64> = (0..=100).map(|i| f64::from(i) * 0.01).collect();
+    let formula = |x: &f64| scale * 2.0 * (1.0 - (x / 0.1).powi(2)).max(0.0).sqrt();
+    let reference: Vec<f64> = coordinate.iter().map(formula).collect();
+    record.zone = Some(ZoneProfile {
+        across_gap: true,
+        symmetric: true,
+        points: coordinate.iter().map(|x| [*x, 0.0]).collect(),
+        pressure: reference.iter().map(|p| 1.02 * p).collect(),
+        gap: coordinate.iter().map(|x| scale * (x - 0.1).max(0.0).powf(1.5)).collect(),
+        reference: Some(ReferencePressure { source: PressureSource::Formula, pressure: reference }),
+        coordinate,
+    });
+    for level in &mut record.levels {
+        let half_width = if level.level < 3 { 0.11 } else { 0.0995 };
+        let formula = FormulaValues { force: None, half_width: Some(0.1), peak_pressure: Some(2.0 * scale) };
+        let (force, peak_pressure) = (0.3 * scale, 2.04 * scale);
+        level.contact =
+            Some(ContactMeasure { force, half_width, peak_pressure, formula: Some(formula), profile: None });
+        level.errors.half_width = Some(half_width / 0.1 - 1.0);
+        level.errors.peak_pressure = Some(0.02);
+    }
+    record
+}
+
 /// An empty record of one case with these levels.
 pub fn blank(levels: Vec<Level>) -> StudyRecord {
     StudyRecord {
@@ -129,6 +156,7 @@ pub fn blank(levels: Vec<Level>) -> StudyRecord {
         expect: None,
         expected_inconclusive: None,
         notes: vec!["the mesh is symmetric".into()],
+        zone: None,
     }
 }
 
@@ -167,6 +195,7 @@ fn level(k: usize, errors: impl Fn(f64) -> Errors) -> Level {
         solution_energy: Some(1.0),
         solution_h1: None,
         solution_trace: Some(1.0),
+        contact: None,
     }
 }
 

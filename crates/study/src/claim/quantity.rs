@@ -33,7 +33,7 @@ macro_rules! error {
 }
 
 /// Every quantity, in the order of tables and legends.
-pub const QUANTITIES: [Quantity; 14] = [
+pub const QUANTITIES: [Quantity; 18] = [
     error!("strain", "strain", "|u−uₕ|", strain),
     error!("energy", "energy", "√A(e,e)", energy),
     error!("h1", "H¹", "‖u−uₕ‖₁", h1),
@@ -46,6 +46,10 @@ pub const QUANTITIES: [Quantity; 14] = [
     error!("interpolation", "interpolation", "√A(u−u_I,u−u_I)", interpolation),
     error!("boundary_l2", "boundary L²", "‖u−u_I‖₀ on ∂Ω", boundary_l2),
     error!("constant", "constant", "c", constant),
+    error!("half_width", "half width's difference", "aₕ/a − 1", half_width),
+    error!("peak_pressure", "peak pressure's difference", "max pₕ/p₀ − 1", peak_pressure),
+    error!("force", "force's difference", "Σλ/P − 1", force),
+    Quantity { key: "formula", words: "difference from the formula", symbol: "(largest)", value: of_formula },
     Quantity { key: "solution_h1", words: "size of the solution", symbol: "‖uₕ‖₁", value: |l| l.solution_h1 },
     Quantity { key: "b_over_h2", words: "constant", symbol: "b/h²", value: b_over_h2 },
 ];
@@ -62,6 +66,11 @@ pub fn in_words(key: &str) -> String {
         Some(q) => q.words.into(),
         None => key.into(),
     }
+}
+
+/// The difference from the formula that is farthest from zero.
+fn of_formula(level: &Level) -> Option<f64> {
+    level.errors.difference("formula")
 }
 
 /// `b/h²`, the constant of the ledger's boundary term.

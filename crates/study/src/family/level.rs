@@ -189,6 +189,7 @@ impl Scene<'_> {
             corners: b.corners,
             cells: b.divisions.map(|d| d.saturating_mul(n)),
             curves: b.curves.clone(),
+            grading: b.grading,
         };
         let blocks: Vec<_> = shape.blocks.iter().map(block).collect();
         triangulate(&blocks, self.family.pattern()).map_err(|error| match error {

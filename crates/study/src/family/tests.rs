@@ -45,6 +45,7 @@ fn shape(name: &str, blocks: &[[[f64; 2]; 4]]) -> Shape {
         corners: c.map(|[x, y]| Point::new(x, y)),
         divisions: [1, 1],
         curves: Default::default(),
+        grading: [1.0, 1.0],
     };
     Shape { name: name.into(), blocks: blocks.iter().map(block).collect() }
 }

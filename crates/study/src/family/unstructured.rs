@@ -13,7 +13,7 @@ use signorini_contact::{Error, Point};
 fn loops(domain: &Domain, n: usize) -> Result<[Loop; 2], Error> {
     let of = |shape: &Shape| {
         let outline = |b: &crate::study::Block| {
-            let quad = QuadBlock { corners: b.corners, cells: [1, 1], curves: b.curves.clone() };
+            let quad = QuadBlock { curves: b.curves.clone(), ..QuadBlock::straight(b.corners, [1, 1]) };
             BlockOutline { sides: [0, 1, 2, 3].map(|k| quad.side(k)), cells: b.divisions.map(|d| d.saturating_mul(n)) }
         };
         outer_loop(&shape.blocks.iter().map(outline).collect::<Vec<_>>()).map_err(|e| match e {

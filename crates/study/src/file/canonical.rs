@@ -8,6 +8,7 @@ use super::number::Finite;
 use super::raw::{RawBoundary, RawExact, RawField, RawPoint, RawTraces};
 use crate::claim::Claim;
 use crate::study::{Block, Case, Scene, Subject};
+use signorini_contact::mesh::blocks::EVEN;
 use signorini_contact::{Material, Point};
 use std::fmt::Write;
 use toml::Spanned;
@@ -37,6 +38,13 @@ fn contact(lines: &mut Lines, scene: &Scene, layer: &Layer<'_>) {
         lines.put("part", format!("{:?} {} {}", part.body, part.along.describe(), condition(raw)));
     }
     lines.put("contact", scene.contact.describe());
+    if scene.symmetric {
+        lines.put("symmetric", "true");
+    }
+    if let (Some(raw), Some(formula)) = (layer.formula, &scene.formula) {
+        let pressure = raw.get_ref().pressure.as_ref().map(|p| p.get_ref());
+        lines.put("formula", format!("{:?} {pressure:?}", formula.values));
+    }
     if scene.discretisation != Default::default() {
         lines.put("discretisation", format!("{:?}", scene.discretisation));
     }
@@ -60,8 +68,11 @@ impl Lines {
 
 fn bodies(lines: &mut Lines, scene: &Scene, layer: &Layer<'_>) {
     for (i, raw) in layer.body.unwrap_or_default().iter().enumerate() {
-        for Block { corners, divisions, curves } in &scene.bodies[i].blocks {
+        for Block { corners, divisions, curves, grading } in &scene.bodies[i].blocks {
             lines.put("block", format!("{} {divisions:?}", points(corners)));
+            if *grading != EVEN {
+                lines.put("grading", format!("{grading:?}"));
+            }
             for (k, curve) in curves.iter().enumerate() {
                 if let Some(curve) = curve {
                     lines.put("curved side", format!("{k} {}", curve.describe()));

@@ -6,9 +6,8 @@ use super::raw::{RawClaim, RawExpected, RawGates, RawStudy};
 use super::words::suggestion;
 use crate::claim::Claim;
 use crate::claim::catalogue::{Standing, catalogue, find};
-use crate::lemma::Lemma;
-use crate::record::{Bounds, Errors};
-use crate::study::Gates;
+use crate::record::{Bounds, ClaimKind, Errors, FormulaValues};
+use crate::study::{Gates, Scene, Subject};
 use std::ops::Range;
 use toml::Spanned;
 
@@ -42,9 +41,18 @@ fn catalogued(id: &Spanned<String>) -> Result<Claim, Fault> {
 
 fn own_claim(raw: &RawClaim) -> Result<Claim, Fault> {
     let norm = raw.norm.get_ref();
-    let known: Vec<&str> = Errors::NORMS.into_iter().chain(CONSTANTS).collect();
+    let known: Vec<&str> = Errors::NORMS.into_iter().chain(CONSTANTS).chain(Errors::OF_FORMULA).collect();
     if !known.contains(&norm.as_str()) {
         return refuse(raw.norm.span(), format!("no error norm `{norm}`"), suggestion(norm, &known));
+    }
+    let of_formula = Errors::OF_FORMULA.contains(&norm.as_str());
+    if raw.kind == ClaimKind::Agreement && !of_formula {
+        let message = format!("kind `agreement` compares with a formula, and `{norm}` does not");
+        return refuse(raw.norm.span(), message, format!("choose one of: {}", Errors::OF_FORMULA.join(", ")));
+    }
+    if of_formula && matches!(raw.kind, ClaimKind::Rate | ClaimKind::Exact | ClaimKind::Inequality) {
+        let message = format!("`{norm}` contains what the formula neglects and falls to no rate");
+        return refuse(raw.norm.span(), message, "judge it by kind `agreement`, `bounded` or `convergence`");
     }
     let number = |x: Option<Finite>| x.map(|x| x.0);
     Ok(Claim {
@@ -118,19 +126,44 @@ fn between<T>(name: &str, x: f64, raw: &Spanned<T>, low: f64, high: f64) -> Resu
     refuse(raw.span(), format!("{name} = {x} must {bound}"), "leave it out to keep the default")
 }
 
-/// Whether what the claim judges is measured by the case: a lemma measures one quantity, which no contact problem has.
-pub fn is_measured(claim: &Claim, lemma: Option<&Lemma>, span: Range<usize>) -> Result<(), Fault> {
+/// Whether an agreement says how small the difference has to be.
+pub fn has_bound(claim: &Claim, gates: &Gates, span: Range<usize>) -> Result<(), Fault> {
+    if claim.kind != ClaimKind::Agreement || gates.constant.is_some() {
+        return Ok(());
+    }
+    let next = "give `constant`, the largest relative difference, and a `reason` in [gates]";
+    refuse(span, "kind `agreement` without a bound", next)
+}
+
+/// Whether what the claim judges is measured by the case: a lemma measures one quantity, which no contact problem has; a
+/// difference from a formula needs the formula.
+pub fn is_measured(claim: &Claim, subject: &Subject, span: Range<usize>) -> Result<(), Fault> {
     let norm = claim.norm.as_str();
     let of_lemmas = ["boundary_l2", "constant"].contains(&norm);
-    match lemma {
-        Some(lemma) if lemma.norm() != norm => {
+    match subject {
+        Subject::Lemma(lemma) if lemma.norm() != norm => {
             let message = format!("the claim judges `{norm}`, and this lemma measures `{}`", lemma.norm());
             refuse(span, message, "choose the claim of the lemma, or state it as [own_claim]")
         }
-        None if of_lemmas => {
+        Subject::Contact(_) if of_lemmas => {
             let message = format!("the claim judges `{norm}`, which only a lemma measures");
             refuse(span, message, "give a table [lemma], or choose another claim")
         }
+        Subject::Contact(scene) if Errors::OF_FORMULA.contains(&norm) && !gives(scene, norm) => {
+            let message = format!("the claim judges `{norm}`, and no formula gives it");
+            refuse(span, message, "state it in a table [formula], or choose another claim")
+        }
         _ => Ok(()),
+    }
+}
+
+/// Whether the scene's formula gives the number that a norm of [`Errors::OF_FORMULA`] compares with.
+fn gives(scene: &Scene, norm: &str) -> bool {
+    let Some(values) = scene.formula.as_ref().map(|f| &f.values) else { return false };
+    match norm {
+        "half_width" => values.half_width.is_some(),
+        "peak_pressure" => values.peak_pressure.is_some(),
+        "force" => values.force.is_some(),
+        _ => *values != FormulaValues::default(),
     }
 }

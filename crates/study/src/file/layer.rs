@@ -3,7 +3,7 @@
 use super::number::Finite;
 use super::raw::{
     Expect, RawBody, RawBoundary, RawCase, RawContact, RawCurve, RawDiscretisation, RawExact, RawExpected, RawFamily,
-    RawGates, RawLemma, RawLevels, RawReference, RawSolver, RawStudy,
+    RawFormula, RawGates, RawLemma, RawLevels, RawReference, RawSolver, RawStudy,
 };
 use std::collections::BTreeMap;
 use toml::Spanned;
@@ -19,6 +19,7 @@ pub struct Layer<'a> {
     pub curve: Option<&'a [Spanned<RawCurve>]>,
     pub discretisation: Option<&'a Spanned<RawDiscretisation>>,
     pub exact: Option<&'a Spanned<RawExact>>,
+    pub formula: Option<&'a Spanned<RawFormula>>,
     pub lemma: Option<&'a Spanned<RawLemma>>,
     pub family: Option<&'a Spanned<RawFamily>>,
     pub levels: Option<&'a RawLevels>,
@@ -41,6 +42,7 @@ macro_rules! layer_of {
             curve: $raw.curve.as_deref(),
             discretisation: $raw.discretisation.as_ref(),
             exact: $raw.exact.as_ref(),
+            formula: $raw.formula.as_ref(),
             lemma: $raw.lemma.as_ref(),
             family: $raw.family.as_ref(),
             levels: $raw.levels.as_ref(),
@@ -77,6 +79,7 @@ impl<'a> Layer<'a> {
             curve: self.curve.or(base.curve),
             discretisation: self.discretisation.or(base.discretisation),
             exact: self.exact.or(base.exact),
+            formula: self.formula.or(base.formula),
             lemma: self.lemma.or(base.lemma),
             family: self.family.or(base.family),
             levels: self.levels.or(base.levels),

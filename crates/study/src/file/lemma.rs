@@ -55,6 +55,7 @@ pub fn nothing_else(layer: &Layer<'_>) -> Result<(), Fault> {
         layer.curve.and_then(|c| c.first()).map(|c| ("[[curve]]", c.span())),
         layer.discretisation.map(|d| ("[discretisation]", d.span())),
         layer.exact.map(|e| ("[exact]", e.span())),
+        layer.formula.map(|f| ("[formula]", f.span())),
         layer.family.map(|f| ("[family]", f.span())),
         layer.reference.map(|r| ("[reference]", r.span())),
     ];

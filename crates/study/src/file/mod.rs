@@ -14,6 +14,7 @@ mod error;
 mod exact;
 mod field;
 mod fixed;
+mod formula;
 mod judge;
 mod layer;
 mod lemma;

@@ -11,6 +11,15 @@ pub struct Finite(pub f64);
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OrNone(pub Option<f64>);
 
+/// A finite number, or an expression that gives one.
+#[derive(Clone, Debug, PartialEq)]
+pub enum NumberOrText {
+    /// The number itself.
+    Number(f64),
+    /// An expression in the parameters.
+    Text(String),
+}
+
 impl<'de> Deserialize<'de> for Finite {
     fn deserialize<D: Deserializer<'de>>(source: D) -> Result<Self, D::Error> {
         // The check stands inside the visitor, because only there the parser still adds line and column.
@@ -21,6 +30,12 @@ impl<'de> Deserialize<'de> for Finite {
 impl<'de> Deserialize<'de> for OrNone {
     fn deserialize<D: Deserializer<'de>>(source: D) -> Result<Self, D::Error> {
         source.deserialize_any(OrNoneVisitor).map(Self)
+    }
+}
+
+impl<'de> Deserialize<'de> for NumberOrText {
+    fn deserialize<D: Deserializer<'de>>(source: D) -> Result<Self, D::Error> {
+        source.deserialize_any(NumberOrTextVisitor)
     }
 }
 
@@ -61,5 +76,27 @@ impl Visitor<'_> for OrNoneVisitor {
 
     fn visit_str<E: Error>(self, word: &str) -> Result<Option<f64>, E> {
         if word == "none" { Ok(None) } else { Err(E::invalid_value(serde::de::Unexpected::Str(word), &self)) }
+    }
+}
+
+struct NumberOrTextVisitor;
+
+impl Visitor<'_> for NumberOrTextVisitor {
+    type Value = NumberOrText;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a number or an expression in quotes")
+    }
+
+    fn visit_i64<E: Error>(self, x: i64) -> Result<NumberOrText, E> {
+        NumberVisitor.visit_i64(x).map(NumberOrText::Number)
+    }
+
+    fn visit_f64<E: Error>(self, x: f64) -> Result<NumberOrText, E> {
+        NumberVisitor.visit_f64(x).map(NumberOrText::Number)
+    }
+
+    fn visit_str<E: Error>(self, text: &str) -> Result<NumberOrText, E> {
+        Ok(NumberOrText::Text(text.to_string()))
     }
 }

@@ -3,7 +3,7 @@
 //! No `flatten` and no `untagged`: both lose line and column and let misspelt keys pass.
 
 use super::fixed::Fixed;
-use super::number::{Finite, OrNone};
+use super::number::{Finite, NumberOrText, OrNone};
 use crate::record::ClaimKind;
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -33,6 +33,7 @@ pub struct RawStudy {
     pub curve: Option<Vec<Spanned<RawCurve>>>,
     pub discretisation: Option<Spanned<RawDiscretisation>>,
     pub exact: Option<Spanned<RawExact>>,
+    pub formula: Option<Spanned<RawFormula>>,
     pub lemma: Option<Spanned<RawLemma>>,
     pub family: Option<Spanned<RawFamily>>,
     pub levels: Option<RawLevels>,
@@ -57,6 +58,7 @@ pub struct RawCase {
     pub curve: Option<Vec<Spanned<RawCurve>>>,
     pub discretisation: Option<Spanned<RawDiscretisation>>,
     pub exact: Option<Spanned<RawExact>>,
+    pub formula: Option<Spanned<RawFormula>>,
     pub lemma: Option<Spanned<RawLemma>>,
     pub family: Option<Spanned<RawFamily>>,
     pub levels: Option<RawLevels>,
@@ -105,6 +107,7 @@ pub struct RawBlock {
     pub corners: Spanned<Fixed<RawPoint, 4>>,
     pub divisions: Option<Spanned<Fixed<usize, 2>>>,
     pub curves: Option<Fixed<Spanned<String>, 4>>,
+    pub grading: Option<Spanned<Fixed<Finite, 2>>>,
 }
 
 #[derive(Deserialize)]
@@ -162,6 +165,8 @@ pub struct RawContact {
     pub curves: Vec<Spanned<String>>,
     pub gap: Option<Spanned<Fixed<Spanned<String>, 2>>>,
     pub direction: Option<Spanned<RawPoint>>,
+    #[serde(default)]
+    pub symmetric: bool,
 }
 
 impl RawContact {
@@ -282,6 +287,15 @@ impl TraceLemma {
             Self::Graph => "graph",
         }
     }
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawFormula {
+    pub force: Option<Spanned<NumberOrText>>,
+    pub half_width: Option<Spanned<NumberOrText>>,
+    pub peak_pressure: Option<Spanned<NumberOrText>>,
+    pub pressure: Option<Spanned<String>>,
 }
 
 #[derive(Deserialize)]

@@ -6,7 +6,7 @@ use super::error::{Fault, refuse};
 use super::field::{INSIDE, vector_field};
 use super::layer::Layer;
 use super::raw::{Expect, RawBody, RawStudy};
-use super::{boundary, discretisation, exact, judge, lemma, material, plan, shape, words};
+use super::{boundary, discretisation, exact, formula, judge, lemma, material, plan, shape, words};
 use crate::claim::Claim;
 use crate::lemma::Lemma;
 use crate::record::Outcome;
@@ -66,7 +66,7 @@ fn case(name: &Spanned<String>, layer: Layer<'_>, claim: &Claim) -> Result<Case,
         Subject::Lemma(lemma) => Some(lemma),
         Subject::Contact(_) => None,
     };
-    judge::is_measured(claim, lemma, place.clone())?;
+    judge::is_measured(claim, &subject, place.clone())?;
     let family = plan::family(layer.family)?;
     let reference = match &subject {
         Subject::Contact(scene) => plan::reference(layer.reference, scene.exact.is_some(), place.clone())?,
@@ -80,9 +80,10 @@ fn case(name: &Spanned<String>, layer: Layer<'_>, claim: &Claim) -> Result<Case,
     };
     let [quick, full] = plan::levels(layer.levels, &family, is_curved, &reference, control, place.clone())?;
     if lemma.is_some_and(Lemma::halves) {
-        lemma::powers_of_two(&[&quick[..], &full[..]].concat(), plan::levels_place(layer.levels, place))?;
+        lemma::powers_of_two(&[&quick[..], &full[..]].concat(), plan::levels_place(layer.levels, place.clone()))?;
     }
     let (mut gates, fixed_quadrature) = judge::gates(layer.gates, control)?;
+    judge::has_bound(claim, &gates, layer.gates.map_or(place.clone(), Spanned::span))?;
     if lemma.is_some() {
         // the ceiling holds the error of a discrete solution against that of an interpolant; here there is no solution
         gates.ceiling = None;
@@ -163,8 +164,11 @@ fn scene(layer: &Layer<'_>, place: &Range<usize>, control: bool) -> Result<Scene
         return refuse(place.clone(), message, "add [contact] with `along = [[x, y], …]`, the first body on its left");
     };
     let force = |body: &RawBody| body.force.as_ref().map(|f| vector_field(f, &INSIDE, p)).transpose();
+    let symmetric = contact.symmetric;
     let contact = boundary::contact(contact, &bodies, &curves, place.clone())?;
     Ok(Scene {
+        formula: layer.formula.map(|f| formula::formula(f, &contact, p)).transpose()?,
+        symmetric,
         parts: boundary::parts(layer.boundary.unwrap_or_default(), &bodies, &curves, p)?,
         discretisation: discretisation::discretisation(layer.discretisation, &contact)?,
         contact,

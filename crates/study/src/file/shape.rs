@@ -3,13 +3,17 @@
 use super::curve::Curves;
 use super::error::{Fault, refuse};
 use super::fixed::Fixed;
+use super::number::Finite;
 use super::raw::{RawBlock, RawBody, RawPoint};
 use crate::study::{Block, Shape};
 use signorini_contact::Point;
 use signorini_contact::geometry::{Path, Piece, SharedCurve, twice_area};
-use signorini_contact::mesh::blocks::QuadBlock;
+use signorini_contact::mesh::blocks::{EVEN, QuadBlock};
 use std::ops::Range;
 use toml::Spanned;
+
+/// Steepest grading of a block: beyond it cells are needles.
+const STEEPEST: f64 = 1e4;
 
 /// The point of two coordinates.
 pub fn point(p: &RawPoint) -> Point {
@@ -49,6 +53,7 @@ fn rectangle_block(
         corners: [a, Point::new(b.x, a.y), b, Point::new(a.x, b.y)],
         divisions: divisions(split)?,
         curves: Default::default(),
+        grading: EVEN,
     })
 }
 
@@ -76,7 +81,23 @@ fn block(raw: &RawBlock, curves: &Curves) -> Result<Block, Fault> {
             sides[k] = curves.between(name, [corners[k], corners[(k + 1) % 4]])?;
         }
     }
-    Ok(Block { corners, divisions: divisions(raw.divisions.as_ref())?, curves: sides })
+    Ok(Block {
+        corners,
+        divisions: divisions(raw.divisions.as_ref())?,
+        curves: sides,
+        grading: grading(raw.grading.as_ref())?,
+    })
+}
+
+/// The ratio of the last cell to the first in each direction.
+fn grading(raw: Option<&Spanned<Fixed<Finite, 2>>>) -> Result<[f64; 2], Fault> {
+    let Some(raw) = raw else { return Ok(EVEN) };
+    let g = raw.get_ref().0.map(|x| x.0);
+    if g.iter().any(|g| !(STEEPEST.recip()..=STEEPEST).contains(g)) {
+        let message = format!("grading {g:?} must lie between {} and {STEEPEST}", STEEPEST.recip());
+        return refuse(raw.span(), message, "give how many times as long the last cell is as the first; 1 is even");
+    }
+    Ok(g)
 }
 
 fn divisions(raw: Option<&Spanned<Fixed<usize, 2>>>) -> Result<[usize; 2], Fault> {
@@ -136,6 +157,6 @@ pub fn on_sides(points: &[Point], shape: &Shape, span: Range<usize>) -> Result<(
 }
 
 fn sides(block: &Block) -> [Piece; 4] {
-    let quad = QuadBlock { corners: block.corners, cells: [1, 1], curves: block.curves.clone() };
+    let quad = QuadBlock { curves: block.curves.clone(), ..QuadBlock::straight(block.corners, [1, 1]) };
     [0, 1, 2, 3].map(|k| quad.side(k))
 }

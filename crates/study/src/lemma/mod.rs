@@ -182,5 +182,6 @@ fn level(index: usize, cells: usize, certificate: Certificate, errors: Errors, b
         solution_energy: None,
         solution_h1: None,
         solution_trace: None,
+        contact: None,
     }
 }

@@ -5,10 +5,14 @@
 
 mod check;
 mod contact;
+mod contact_width;
 mod level;
 mod overlay;
 mod partial;
+mod profile;
 mod reference;
+#[cfg(test)]
+mod tests;
 pub mod timing;
 #[cfg(test)]
 mod twins;
@@ -243,6 +247,7 @@ fn conclude(
 ) -> StudyRecord {
     let claim = &study.claim;
     reference::contaminate(&mut levels, &mut reference);
+    let zone = levels.last_mut().and_then(|level| level.contact.as_mut()?.profile.take());
     verdict::exclude_levels(&mut levels, &case.gates);
     let rates = rate::all(&levels, &claim.norm);
     let verdict = verdict::judge(&JudgeInput {
@@ -281,6 +286,7 @@ fn conclude(
         expect: case.expect,
         expected_inconclusive: case.inconclusive_at_quick.clone().filter(|_| quick),
         notes,
+        zone,
     }
 }
 

@@ -10,9 +10,11 @@
 //! | `exact` | the error is rounding on every level | [`exact`] |
 //! | `convergence` | the error falls from level to level | [`convergence`] |
 //! | `bounded` | the constant stays bounded | [`bounded`] |
+//! | `agreement` | the finest level agrees with a formula | [`agreement`] |
 //!
 //! Everything is read from the levels themselves. [`exclude_levels`] has marked those that may not enter.
 
+pub mod agreement;
 pub mod bounded;
 pub mod convergence;
 pub mod doubt;
@@ -66,6 +68,7 @@ pub fn judge(input: &JudgeInput) -> Verdict {
         ClaimKind::Exact => exact::judge(input),
         ClaimKind::Convergence => convergence::judge(input),
         ClaimKind::Bounded => bounded::judge(input),
+        ClaimKind::Agreement => agreement::judge(input),
     }
 }
 

@@ -24,6 +24,8 @@ struct Side {
     ends: [usize; 2],
     /// The block that came first.
     block: usize,
+    /// Its last cell over its first, from the lower end.
+    grading: f64,
     /// Nodes strictly between the ends, from the lower end.
     nodes: Vec<Option<u32>>,
 }
@@ -42,7 +44,9 @@ impl Frame {
             let corners = block.corners.map(|x| frame.corner(x, tolerance));
             let mut sides = [0; 4];
             for k in 0..4 {
-                sides[k] = frame.side([corners[k], corners[(k + 1) % 4]], number, block.cells[k % 2])?;
+                // sides 2 and 3 run against the block's own directions
+                let grading = if k < 2 { block.grading[k] } else { block.grading[k - 2].recip() };
+                sides[k] = frame.side([corners[k], corners[(k + 1) % 4]], number, block.cells[k % 2], grading)?;
             }
             frame.block_corners.push(corners);
             frame.block_sides.push(sides);
@@ -59,10 +63,11 @@ impl Frame {
         })
     }
 
-    fn side(&mut self, [a, b]: [usize; 2], block: usize, cells: usize) -> Result<usize, Error> {
+    fn side(&mut self, [a, b]: [usize; 2], block: usize, cells: usize, grading: f64) -> Result<usize, Error> {
         let ends = [a.min(b), a.max(b)];
+        let grading = if a < b { grading } else { grading.recip() };
         let Some(known) = self.sides.iter().position(|s| s.ends == ends) else {
-            self.sides.push(Side { ends, block, nodes: vec![None; cells - 1] });
+            self.sides.push(Side { ends, block, grading, nodes: vec![None; cells - 1] });
             return Ok(self.sides.len() - 1);
         };
         let other = &self.sides[known];
@@ -74,6 +79,16 @@ impl Frame {
                 at(self.corners[ends[0]].at),
                 at(self.corners[ends[1]].at),
                 other.nodes.len() + 1
+            )));
+        }
+        if (grading / other.grading - 1.0).abs() > TOLERANCE {
+            return Err(mesh_error(format!(
+                "blocks {} and {block} share the side from {} to {} but grade it by {} and {grading}; give them the same \
+                 grading there, its inverse where their directions differ",
+                other.block,
+                at(self.corners[ends[0]].at),
+                at(self.corners[ends[1]].at),
+                other.grading
             )));
         }
         Ok(known)

@@ -35,12 +35,30 @@ pub struct QuadBlock {
     /// The curve of side `k`, from corner `k` to corner `k + 1`, or none where it is straight. Nodes divide it evenly in its
     /// parameter.
     pub curves: [Option<SharedCurve>; 4],
+    /// How many times as long the last cell is as the first, along `0 → 1` and along `0 → 3`: see [`graded`].
+    pub grading: [f64; 2],
+}
+
+/// Even division.
+pub const EVEN: [f64; 2] = [1.0, 1.0];
+
+/// Where the share `i/n` of a side lies that is divided with growing cells, `0 ≤ graded ≤ 1`.
+///
+/// `s ↦ (g^s − 1)/(g − 1)`: the cells grow by the same factor from one to the next, and near the end they are `g` times as
+/// long as near the start. Since `s` enters alone, the division into `2n` cells contains that into `n`.
+pub fn graded(i: usize, n: usize, grading: f64) -> f64 {
+    grade(i as f64 / n as f64, grading)
+}
+
+fn grade(s: f64, grading: f64) -> f64 {
+    // s itself, to the bit, where the division is even; 0 and 1 are met exactly for every g
+    if grading == 1.0 || s == 1.0 { s } else { (s * grading.ln()).exp_m1() / (grading - 1.0) }
 }
 
 impl QuadBlock {
-    /// A block with straight sides.
+    /// A block with straight sides, evenly divided.
     pub fn straight(corners: [Point; 4], cells: [usize; 2]) -> Self {
-        Self { corners, cells, curves: Default::default() }
+        Self { corners, cells, curves: Default::default(), grading: EVEN }
     }
 
     /// Side `k`, from corner `k` to corner `k + 1`.
@@ -65,6 +83,12 @@ impl QuadBlock {
             return Err(mesh_error(format!(
                 "block {number} is divided into {} × {} cells; give at least 1 in each direction",
                 self.cells[0], self.cells[1]
+            )));
+        }
+        if self.grading.iter().any(|g| !(g.is_finite() && *g > 0.0)) {
+            return Err(mesh_error(format!(
+                "block {number} has the grading {:?}; give a positive ratio of the last cell to the first in each direction",
+                self.grading
             )));
         }
         let c = self.corners;
@@ -96,10 +120,18 @@ struct BlockMap<'a> {
 }
 
 impl BlockMap<'_> {
-    /// The node `(i, j)`: the image of `(s, t) = (i / cells[0], j / cells[1])`.
+    /// The node `(i, j)`: the image of `(s, t) = (i / cells[0], j / cells[1])`, graded.
     fn node(&self, i: usize, j: usize) -> Point {
         let [nx, ny] = self.block.cells;
-        self.at(i as f64 / nx as f64, j as f64 / ny as f64)
+        let [gx, gy] = self.block.grading;
+        self.at(graded(i, nx, gx), graded(j, ny, gy))
+    }
+
+    /// The middle of the cell `(i, j)`.
+    fn centre(&self, i: usize, j: usize) -> Point {
+        let [nx, ny] = self.block.cells.map(|n| n as f64);
+        let [gx, gy] = self.block.grading;
+        self.at(grade((i as f64 + 0.5) / nx, gx), grade((j as f64 + 0.5) / ny, gy))
     }
 
     /// Bilinear, plus for each curved side its departure from the chord, fading towards the side opposite.
@@ -127,8 +159,8 @@ impl BlockMap<'_> {
 /// follow the rows of their block. Triangles follow block by block, cell by cell, row by row.
 ///
 /// # Errors
-/// [`Error::Mesh`] if there is no block, a block has no cells, is clockwise or not convex, two blocks divide a shared side
-/// differently, or a corner lies within another block's side. Blocks that overlap are not looked for.
+/// [`Error::Mesh`] if there is no block, a block has no cells, is clockwise or not convex, two blocks divide or grade a shared
+/// side differently, or a corner lies within another block's side. Blocks that overlap are not looked for.
 pub fn triangulate(blocks: &[QuadBlock], pattern: Pattern) -> Result<Triangulation, Error> {
     if blocks.is_empty() {
         return Err(mesh_error("a body needs at least one block".into()));
@@ -193,8 +225,7 @@ fn add_union_jack(mesh: &mut Triangulation, map: &BlockMap, nodes: &[u32]) {
 fn add_criss_cross(mesh: &mut Triangulation, map: &BlockMap, nodes: &[u32]) {
     for (i, j, [a, b, c, d]) in cells(map.block, nodes) {
         let m = mesh.points.len() as u32;
-        let [nx, ny] = map.block.cells.map(|n| n as f64);
-        mesh.points.push(map.at((i as f64 + 0.5) / nx, (j as f64 + 0.5) / ny));
+        mesh.points.push(map.centre(i, j));
         mesh.triangles.extend([[a, b, m], [b, c, m], [c, d, m], [d, a, m]]);
     }
 }

@@ -1,7 +1,7 @@
 use super::{PATTERNS, block, points, square};
 use crate::geometry::twice_area;
 use crate::mesh::Triangulation;
-use crate::mesh::blocks::{Pattern, triangulate};
+use crate::mesh::blocks::{Pattern, QuadBlock, graded, triangulate};
 use std::collections::BTreeSet;
 
 fn area(mesh: &Triangulation) -> f64 {
@@ -64,6 +64,39 @@ fn glued_blocks_fill_their_body() {
     }
 }
 
+/// By hand: g = 4 and two cells, (4^½ − 1)/(4 − 1) = 1/3, so the second cell is twice the first.
+#[test]
+fn graded_cells_grow_by_one_factor_and_nest() {
+    assert!((graded(1, 2, 4.0) - 1.0 / 3.0).abs() < 1e-15);
+    for g in [0.05, 1.0, 40.0] {
+        let x: Vec<f64> = (0..=8).map(|i| graded(i, 8, g)).collect();
+        assert_eq!((x[0], x[8]), (0.0, 1.0));
+        let growth = g.powf(0.125);
+        for w in x.windows(3) {
+            assert!(((w[2] - w[1]) / (w[1] - w[0]) / growth - 1.0).abs() < 1e-12, "{g}: {w:?}");
+        }
+        assert!((0..=8).all(|i| graded(2 * i, 16, g) == x[i]), "{g}");
+        // the same nodes seen from the other end
+        assert!((0..=8).all(|i| (1.0 - graded(8 - i, 8, 1.0 / g) - x[i]).abs() < 1e-14), "{g}");
+    }
+}
+
+#[test]
+fn blocks_that_grade_a_shared_side_alike_are_glued() {
+    let left = QuadBlock { grading: [0.25, 9.0], ..square([0.0, 0.0], 4) };
+    // its direction 0 → 1 runs down the shared side
+    let right =
+        |g: f64| QuadBlock { grading: [g, 3.0], ..block([[1.0, 1.0], [1.0, 0.0], [2.0, 0.0], [2.0, 1.0]], [4, 3]) };
+    let mesh = triangulate(&[left.clone(), right(1.0 / 9.0)], Pattern::CrissCross).unwrap();
+    assert_eq!(mesh.points.len(), 25 + 16 + 5 * 4 - 5 + 12);
+    assert!((area(&mesh) - 2.0).abs() < 1e-14);
+    let heights: Vec<f64> = mesh.points.iter().filter(|p| p.x == 1.0).map(|p| p.y).collect();
+    assert_eq!(heights.len(), 5);
+    assert!(heights[1] - heights[0] < 0.25 * (heights[4] - heights[3]), "{heights:?}");
+    let error = triangulate(&[left, right(9.0)], Pattern::Structured).unwrap_err().to_string();
+    assert!(error.contains("share the side from (1, 0) to (1, 1) but grade it by 9 and"), "{error}");
+}
+
 #[test]
 fn bad_blocks_are_named() {
     let good = || square([0.0, 0.0], 2);
@@ -89,6 +122,8 @@ fn bad_blocks_are_named() {
             "the corner (1, 0.5) of block 1 lies within the side of block 0 from (1, 0) to (1, 1)",
         ),
         (vec![square([0.0, 0.0], 1 << 20)], "cells together"),
+        (vec![QuadBlock { grading: [1.0, 0.0], ..good() }], "block 0 has the grading [1.0, 0.0]"),
+        (vec![QuadBlock { grading: [f64::NAN, 1.0], ..good() }], "block 0 has the grading [NaN, 1.0]"),
     ];
     for (blocks, message) in refused {
         let error = triangulate(&blocks, Pattern::Structured).unwrap_err().to_string();

@@ -20,7 +20,7 @@ fn disc(n: usize) -> Mesh {
     let block = |corners: [[f64; 2]; 4], cells, side: usize| {
         let mut curves: [Option<SharedCurve>; 4] = Default::default();
         curves[side] = Some(arc.clone());
-        QuadBlock { corners: points(corners), cells, curves }
+        QuadBlock { curves, ..QuadBlock::straight(points(corners), cells) }
     };
     let inside = [block([[0.5, 0.0], [1.0, 0.0], [0.0, 1.0], [0.0, 0.5]], [n, 2 * n], 1)];
     let outside = [
@@ -50,7 +50,7 @@ fn gap(n: usize) -> Mesh {
     let block = |corners, side: usize, curve: &SharedCurve| {
         let mut curves: [Option<SharedCurve>; 4] = Default::default();
         curves[side] = Some(curve.clone());
-        [QuadBlock { corners: points(corners), cells: [n, n], curves }]
+        [QuadBlock { curves, ..QuadBlock::straight(points(corners), [n, n]) }]
     };
     let bodies = [
         triangulate(&block([a, [2.0, -1.0], [2.0, 1.0], b], 3, &right), Pattern::Structured).unwrap(),
@@ -199,7 +199,7 @@ fn two_curved_sides_in_one_triangle_are_refused() {
     let (circle, c): (SharedCurve, f64) = (Arc::new(arc), 0.5f64.sqrt());
     let corners = [[-c, -c], [c, -c], [c, c], [-c, c]];
     let curves = [Some(circle.clone()), Some(circle.clone()), None, None];
-    let first = QuadBlock { corners: points(corners), cells: [2, 2], curves };
+    let first = QuadBlock { curves, ..QuadBlock::straight(points(corners), [2, 2]) };
     let second = QuadBlock::straight(points([[-c, c], [c, c], [c, 2.0], [-c, 2.0]]), [2, 2]);
     let bodies = [[first], [second]].map(|b| triangulate(&b, Pattern::Structured).unwrap());
     let along = Path {

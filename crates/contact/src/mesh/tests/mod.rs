@@ -89,7 +89,7 @@ pub fn quarter_disc(n: usize, element: CurvedElement) -> Mesh {
     let block = |corners, cells, on: usize| {
         let mut curves = [const { None }; 4];
         curves[on] = Some(arc.clone());
-        QuadBlock { corners: points(corners), cells, curves }
+        QuadBlock { curves, ..QuadBlock::straight(points(corners), cells) }
     };
     let m = [std::f64::consts::FRAC_1_SQRT_2; 2];
     let disc = [block([[0.5, 0.0], [1.0, 0.0], [0.0, 1.0], [0.0, 0.5]], [n, 2 * n], 1)];

@@ -34,6 +34,7 @@ fn every_field_is_documented() {
         "[curve.circle]",
         "[curve.graph]",
         "[discretisation]",
+        "[formula]",
         "[exact]",
         "[exact.traces]",
         "[lemma]",

@@ -1,6 +1,7 @@
 //! Tests of the reader: shipped studies, the documented example, malformed files.
 
 mod documented;
+mod formula;
 mod lemma;
 mod malformed;
 mod resolved;

@@ -11,6 +11,7 @@ mod parts;
 mod tests;
 
 use super::contact::{self, ContactState};
+use super::profile;
 use super::timing::{LevelTimes, Stopwatch};
 use crate::error::RunError;
 use crate::family::{self, Level as MeshLevel};
@@ -186,6 +187,10 @@ impl Task<'_> {
     fn level(&self, index: usize, meshed: &MeshLevel, solved: &Solved) -> Level {
         let Solved { discrete, solution, state } = solved;
         let finest = meshed.hierarchy.finest();
+        let with_profile = index + 1 == self.cells.len();
+        let contact = profile::measure(self.scene, finest, discrete, solution, state, with_profile);
+        let mut errors = Errors { penetration_l2: Some(state.penetration()), ..Default::default() };
+        profile::compare(&contact, &mut errors);
         Level {
             level: index,
             cells: self.cells[index],
@@ -205,13 +210,14 @@ impl Task<'_> {
             solution_trace: Some(largest_component(&solution.displacement) * zone_length(finest).sqrt()),
             two_way: None,
             mesh_hash: meshed.hash.clone(),
-            errors: Errors { penetration_l2: Some(state.penetration()), ..Default::default() },
+            errors,
             ledger: None,
             kkt: certificate(discrete, solution),
             budget: Budget::default(),
             solver: self.solver_record(solution),
             warnings: discrete.warnings.clone(),
             excluded: None,
+            contact: Some(contact),
         }
     }
 }

@@ -37,7 +37,14 @@ fn an_unfinished_solve_cannot_be_judged() {
         l[0].solver.solved = false;
         l[0].solver.status = "iteration limit".into();
     });
-    for kind in [ClaimKind::Rate, ClaimKind::Inequality, ClaimKind::Exact, ClaimKind::Convergence, ClaimKind::Bounded] {
+    for kind in [
+        ClaimKind::Rate,
+        ClaimKind::Inequality,
+        ClaimKind::Exact,
+        ClaimKind::Convergence,
+        ClaimKind::Bounded,
+        ClaimKind::Agreement,
+    ] {
         expect(&of_kind(kind, "energy", unfinished.clone()), Inconclusive, "did not finish (iteration limit");
     }
     expect(&of_rate(spoilt(1.0, |l| l[4].kkt.tension = 1e-4)), Inconclusive, "scaled tension");

@@ -98,3 +98,26 @@ fn bounded_constants() {
     // of either sign: the bound is one for |b|
     expect(&against(&[0.3, -0.51, 0.0]), Fail, "reaches 5.100e-1");
 }
+
+#[test]
+fn an_agreement_is_judged_on_the_finest_level_and_doubts_coarse_meshes() {
+    let with = |differences: &[f64]| {
+        let mut levels = sample::levels(differences.len(), |h| h);
+        for (level, d) in levels.iter_mut().zip(differences) {
+            (level.errors.half_width, level.errors.peak_pressure) = (Some(*d), Some(0.1 * d));
+        }
+        levels
+    };
+    let norm = |norm: &str, differences: &[f64], bound: f64| {
+        judged(ClaimKind::Agreement, norm, with(differences), GATE_1, |g| g.constant = Some(bound))
+    };
+    expect(&norm("formula", &[0.3, -0.02, -0.009], 0.03), Pass, "-9.000e-3 on the finest level");
+    expect(&norm("peak_pressure", &[0.3, -0.02, -0.009], 0.003), Pass, "-9.000e-4");
+    expect(&norm("half_width", &[0.3, 0.051, 0.05], 0.03), Fail, "3.000e-2 are allowed");
+    // one refinement moves it from beyond the bound to beyond the other
+    expect(&norm("half_width", &[0.3, -0.02, 0.02], 0.03), Inconclusive, "too coarse to tell");
+    expect(&norm("half_width", &[0.3, 0.05, 0.04], 0.035), Inconclusive, "too coarse to tell");
+    expect(&norm("half_width", &[0.02, 0.02], 0.03), Inconclusive, "2 usable levels");
+    expect(&of_kind(ClaimKind::Agreement, "formula", with(&[0.0; 3])), Inconclusive, "no `constant`");
+    expect(&norm("half_width", &[0.02, 0.02, f64::NAN], 0.03), Inconclusive, "half_width is NaN");
+}
