@@ -150,7 +150,7 @@ fn an_exact_solution_that_pulls_is_refused() {
 fn a_load_that_is_no_number_on_a_part_of_the_boundary() {
     let right = "along = [[1, -1], [1, 0]]\ncondition = \"traction\"";
     let given = |expression: &str| edit(SMOOTH, right, &format!("{right}\nvalue = [\"0\", \"{expression}\"]"));
-    let words = ["smooth.toml", "load at (1, -0.5) is (", "NaN)", "is no number", "check the loads around that point"];
+    let words = ["smooth.toml", "traction on part 'right' near", "NaN)", "is no number", "check its expression there"];
     let (ended, folder) = run("nan", &given("sqrt(-0.5 - y)"));
     ended.complains(2, &words);
     assert!(!folder.path("reports/smooth").exists());

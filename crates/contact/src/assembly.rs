@@ -199,7 +199,11 @@ fn side_load(side: &SideView, data: &dyn Data, part: usize, cubature: &Cubature)
     load
 }
 
-fn check_load(load: &[Vec2], what: impl Fn() -> String) -> Result<(), Error> {
+/// Refuses a load that is no number; `what` says whose it is.
+///
+/// # Errors
+/// [`Error::Load`] with the value.
+pub fn check_load(load: &[Vec2], what: impl Fn() -> String) -> Result<(), Error> {
     match load.iter().find(|l| !(l.x.is_finite() && l.y.is_finite())) {
         None => Ok(()),
         Some(l) => Err(Error::Load(format!(

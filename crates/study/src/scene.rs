@@ -35,7 +35,12 @@ impl Scene {
         let Some(exact) = self.exact.as_ref().filter(|_| !fixed) else {
             return Cubature { depth, ..Default::default() };
         };
-        Cubature { singular: exact.solution.singular_points(), breaks: exact.solution.break_lines(), depth }
+        Cubature {
+            singular: exact.solution.singular_points(),
+            breaks: exact.solution.break_lines(),
+            depth,
+            ..Default::default()
+        }
     }
 }
 

@@ -18,8 +18,8 @@ pub enum ContactLine {
     Common(Path),
     /// Two graphs over the same interval of `η`, with an initial gap `ε(η) = f'(η) − f''(η) ≥ 0` between them.
     Gap {
-        /// The boundary of `Ω'` (at `ξ > f'`) and of `Ω''` (at `ξ < f''`); both run through the interval with a parameter
-        /// that is affine in `η`, `Ω'` on the left of its own.
+        /// The boundary of `Ω'` (at `ξ > f'`) and of `Ω''` (at `ξ < f''`); both run through the interval, in either
+        /// direction, with a parameter that is affine in `η`.
         curves: [SharedCurve; 2],
         /// `e_ξ`, a unit vector from `Ω''` to `Ω'`.
         direction: Vec2,
@@ -54,10 +54,10 @@ impl ContactLine {
             Self::Common(path) => path.pieces().map(|p| [p.clone(), p]).collect(),
             Self::Gap { curves, direction } => {
                 let eta = super::tangent_of(*direction);
+                // η falls along the zone, which has Ω' on the left then
                 let rises = |c: &SharedCurve| c.point(1.0).dot(&eta) > c.point(0.0).dot(&eta);
-                let span = if rises(&curves[0]) == rises(&curves[1]) { [0.0, 1.0] } else { [1.0, 0.0] };
-                let piece = |k: usize, span| Piece::Curved { curve: curves[k].clone(), span };
-                vec![[piece(0, [0.0, 1.0]), piece(1, span)]]
+                let span = |c: &SharedCurve| if rises(c) { [1.0, 0.0] } else { [0.0, 1.0] };
+                vec![curves.each_ref().map(|c| Piece::Curved { curve: c.clone(), span: span(c) })]
             }
         }
     }

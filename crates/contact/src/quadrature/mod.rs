@@ -1,7 +1,7 @@
 //! Quadrature on triangles and sides, cut at lines where the integrand breaks and graded towards singular points.
 //!
 //! A *leaf* is a piece on which the integrand is smooth on the piece's own scale: its diameter is at most
-//! [`GRADING`] times its distance from the nearest singular point, or it has reached the floor.
+//! [`Cubature::grading`] times its distance from the nearest singular point, or it has reached the floor.
 
 mod cut;
 mod patch;
@@ -15,7 +15,7 @@ pub use patch::Patch;
 use rules::five_points;
 pub use rules::{GAUSS_8, conical_points, seven_points};
 
-/// A leaf may be this large relative to its distance from a singular point.
+/// How large a leaf may be relative to its distance from a singular point, unless said otherwise.
 pub const GRADING: f64 = 0.6;
 
 /// A leaf of a triangle is not cut below this diameter.
@@ -25,7 +25,7 @@ pub const TRIANGLE_FLOOR: f64 = 1e-10;
 pub const SIDE_FLOOR: f64 = 1e-14;
 
 /// How to integrate over triangles and sides.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct Cubature {
     /// Points to grade towards.
     pub singular: Vec<Point>,
@@ -33,6 +33,14 @@ pub struct Cubature {
     pub breaks: Vec<Segment>,
     /// Every leaf is split this many more times, a triangle into four, a side into two.
     pub depth: u32,
+    /// A leaf may be this large relative to its distance from a singular point ([`GRADING`]).
+    pub grading: f64,
+}
+
+impl Default for Cubature {
+    fn default() -> Self {
+        Self { singular: Vec::new(), breaks: Vec::new(), depth: 0, grading: GRADING }
+    }
 }
 
 impl Cubature {
@@ -85,7 +93,7 @@ impl Cubature {
     }
 
     fn is_leaf(&self, size: f64, floor: f64, distance: impl Fn(Point) -> f64) -> bool {
-        size <= floor || self.singular.iter().all(|&p| size <= GRADING * distance(p))
+        size <= floor || self.singular.iter().all(|&p| size <= self.grading * distance(p))
     }
 }
 

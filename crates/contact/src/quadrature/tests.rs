@@ -96,6 +96,7 @@ fn weights_sum_to_the_area_however_it_is_cut() {
         singular: vec![Point::new(0.2, 0.1)],
         breaks: vec![Segment { a: Point::new(-1.0, 0.35), b: Point::new(2.0, 0.1) }],
         depth: 1,
+        ..Default::default()
     };
     let error = (integrate(&c, unit(), |_| 1.0) - 0.5).abs();
     assert!(error < 1e-13, "{error:e}");

@@ -7,6 +7,7 @@ use crate::geometry::{Point, twice_area};
 
 mod blocks;
 mod build;
+mod curved;
 mod hierarchy;
 mod quality;
 mod refusals;

@@ -20,17 +20,20 @@ use contact::ContactLoad;
 use curved::CurvedPart;
 use element::{Element, ElementIntegrand};
 use rayon::prelude::*;
-use signorini_contact::Vec2;
 use signorini_contact::material::Material;
 use signorini_contact::mesh::Mesh;
 use signorini_contact::norm::Squares;
 use signorini_contact::problem::Data;
 use signorini_contact::quadrature::Cubature;
 use signorini_contact::sum::ordered_sum;
+use signorini_contact::{Error, Vec2, assembly};
 use std::collections::BTreeMap;
 
 /// A piece of an element is not split more often than this.
 const DEEPEST: u32 = 6;
+
+/// Size of the first pieces relative to their distance from a singular point.
+const ADAPTIVE_GRADING: f64 = 0.9;
 
 /// Every piece may err by this share of the accuracy, or by its element's even share if that is less.
 const SMALLEST_SHARE: f64 = 1e-4;
@@ -65,8 +68,18 @@ pub struct Pair {
 impl Pair {
     /// Integrates on every element, splitting pieces where one more refinement still changes the result by more than its
     /// share. `u_I` are the nodal values of `u`. With `fixed` nothing is graded, cut or split: one rule for all elements.
-    pub fn new(scene: &Scene, exact: &ExactScene, mesh: &Mesh, interpolant: &[Vec2], fixed: bool) -> Self {
-        let cubature = scene.cubature(0, fixed);
+    ///
+    /// # Errors
+    /// [`Error::Load`] for a traction that is no number, with its part.
+    pub fn new(
+        scene: &Scene,
+        exact: &ExactScene,
+        mesh: &Mesh,
+        interpolant: &[Vec2],
+        fixed: bool,
+    ) -> Result<Self, Error> {
+        // pieces are refined until they settle, so they may start larger than where one rule has to do
+        let cubature = Cubature { grading: ADAPTIVE_GRADING, ..scene.cubature(0, fixed) };
         let element = |t: usize| ElementIntegrand::new(scene, exact, mesh, interpolant, t);
         let rough = |t: usize| {
             if mesh.curved.of(t).is_some() { 0.0 } else { element(t).once(&cubature).interpolation.energy }
@@ -92,7 +105,7 @@ impl Pair {
             let curved = curved.iter().map(|(t, parts)| (*t, parts[k])).collect();
             Integrals::new(scene, exact, mesh, elements, curved, &scene.cubature(k as u32, fixed))
         };
-        Self { base: collect(0), fine: collect(1) }
+        Ok(Self { base: collect(0)?, fine: collect(1)? })
     }
 }
 
@@ -105,7 +118,7 @@ impl Integrals {
         elements: Vec<Element>,
         curved: BTreeMap<u32, CurvedPart>,
         cubature: &Cubature,
-    ) -> Self {
+    ) -> Result<Self, Error> {
         let solution = ordered_sum(elements.len(), |t| elements[t].solution);
         let interpolation = ordered_sum(elements.len(), |t| elements[t].interpolation);
         let body_work = ordered_sum(elements.len(), |t| elements[t].work);
@@ -123,12 +136,18 @@ impl Integrals {
             reactions: Vec::new(),
             curved,
         };
-        integrals.add_boundary(scene, exact, mesh, cubature);
-        integrals
+        integrals.add_boundary(scene, exact, mesh, cubature)?;
+        Ok(integrals)
     }
 
     /// Tractions: their loads and their work on `u`. Reactions of `Γ_u`.
-    fn add_boundary(&mut self, scene: &Scene, exact: &ExactScene, mesh: &Mesh, cubature: &Cubature) {
+    fn add_boundary(
+        &mut self,
+        scene: &Scene,
+        exact: &ExactScene,
+        mesh: &Mesh,
+        cubature: &Cubature,
+    ) -> Result<(), Error> {
         for side in &mesh.sides {
             let part = &scene.parts[side.part as usize];
             let mut ends = [Vec2::zeros(); 3];
@@ -147,6 +166,10 @@ impl Integrals {
                 (0..3).for_each(|k| ends[k] += w * phi[k] * stress);
                 work += w * stress.dot(&exact.solution.value(part.body, x));
             });
+            let middle = 0.5 * (view.piece.point(0.0) + view.piece.point(1.0));
+            assembly::check_load(&ends, || {
+                format!("traction on part '{}' near ({:.6}, {:.6})", part.name, middle.x, middle.y)
+            })?;
             if fixed {
                 self.reactions.push((view.nodes, ends, work));
             } else {
@@ -154,6 +177,7 @@ impl Integrals {
                 self.energy -= work;
             }
         }
+        Ok(())
     }
 
     /// Squares of the error `u − u_h` for `u_h = u_I − d`.

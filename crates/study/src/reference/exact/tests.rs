@@ -25,7 +25,7 @@ impl Setting {
         let exact = scene.exact.as_ref().unwrap();
         let at = |(x, body): (&Vec2, &_)| exact.solution.value(*body, *x);
         let interpolant: Vec<Vec2> = mesh.points.iter().zip(&mesh.node_bodies).map(at).collect();
-        let fine = Pair::new(scene, exact, mesh, &interpolant, false).fine;
+        let fine = Pair::new(scene, exact, mesh, &interpolant, false).unwrap().fine;
         Self { case, level, interpolant, fine }
     }
 

@@ -62,7 +62,7 @@ impl Task<'_> {
         let interpolant: Vec<Vec2> =
             mesh.points.iter().zip(&mesh.node_bodies).map(|(x, body)| exact.solution.value(*body, *x)).collect();
         let fixed = self.case.fixed_quadrature;
-        let Pair { base, fine } = Pair::new(self.scene, exact, mesh, &interpolant, fixed);
+        let Pair { base, fine } = Pair::new(self.scene, exact, mesh, &interpolant, fixed)?;
         let cubature = self.scene.cubature(1, fixed);
         let supports = self.scene.supports();
         let problem = self.problem(mesh, &supports, &cubature);
