@@ -53,7 +53,7 @@ fn a_record_tells_no_time() {
     let folder = Folder::with_study("time", SMOOTH);
     folder.signorini("run --threads 1 --levels 2");
     let record = folder.text("reports/smooth/record.json");
-    for word in ["second", "elapsed", "time", "date", "bytes", "threads", "peak"] {
+    for word in ["second", "elapsed", "time", "date", "bytes", "threads", "memory"] {
         assert!(!record.lines().any(|l| l.split("\":").next().is_some_and(|key| key.contains(word))), "{word}");
     }
     assert!(folder.text("reports/smooth/timings.json").contains("peak_bytes"), "the times are elsewhere");

@@ -28,7 +28,16 @@ pub fn pressure(record: &StudyRecord) -> Option<ZoneChart> {
     let mut pressure = vec![trace("discrete pressure λᵢ/mᵢ", Colour::Blue, true, &zone.pressure)];
     if let Some(reference) = &zone.reference {
         // the line first, so that the marks lie on it
-        pressure.insert(0, trace(source_words(reference.source), Colour::Vermillion, false, &reference.pressure));
+        let known = zone.coordinate.iter().zip(&reference.pressure).filter_map(|(x, p)| Some((*x, (*p)?)));
+        pressure.insert(
+            0,
+            Trace {
+                label: source_words(reference.source).into(),
+                colour: Colour::Vermillion,
+                marks: false,
+                points: known.collect(),
+            },
+        );
     }
     let edge = level.contact.as_ref().and_then(|c| c.formula.as_ref()?.half_width).filter(|_| zone.symmetric);
     let window = window(zone, edge);

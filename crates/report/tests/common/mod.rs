@@ -113,7 +113,10 @@ pub fn pressed(scale: f64) -> StudyRecord {
         points: coordinate.iter().map(|x| [*x, 0.0]).collect(),
         pressure: reference.iter().map(|p| 1.02 * p).collect(),
         gap: coordinate.iter().map(|x| scale * (x - 0.1).max(0.0).powf(1.5)).collect(),
-        reference: Some(ReferencePressure { source: PressureSource::Formula, pressure: reference }),
+        reference: Some(ReferencePressure {
+            source: PressureSource::Formula,
+            pressure: reference.into_iter().map(Some).collect(),
+        }),
         coordinate,
     });
     for level in &mut record.levels {

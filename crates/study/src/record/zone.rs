@@ -57,8 +57,8 @@ pub struct ZoneProfile {
 pub struct ReferencePressure {
     /// Where it comes from.
     pub source: PressureSource,
-    /// Its values.
-    pub pressure: Vec<f64>,
+    /// Its values; none where it has none, as at a switch point where an exact pressure is infinite.
+    pub pressure: Vec<Option<f64>>,
 }
 
 /// Where a [`ReferencePressure`] comes from.

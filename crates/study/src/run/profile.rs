@@ -100,13 +100,17 @@ fn profile(scene: &Scene, mesh: &Mesh, nodes: &[Node]) -> ZoneProfile {
     }
 }
 
+fn finite(pressure: f64) -> Option<f64> {
+    pressure.is_finite().then_some(pressure)
+}
+
 /// The formula's pressure, or else that of the exact solution.
 fn reference(scene: &Scene, nodes: &[Node]) -> Option<ReferencePressure> {
     if let Some(pressure) = scene.formula.as_ref().and_then(|f| f.pressure.as_ref()) {
-        let pressure = nodes.iter().map(|n| pressure(n.point.at[0])).collect();
+        let pressure = nodes.iter().map(|n| finite(pressure(n.point.at[0]))).collect();
         return Some(ReferencePressure { source: PressureSource::Formula, pressure });
     }
     let exact = scene.exact.as_ref()?;
-    let pressure = nodes.iter().map(|n| -exact.contact_stress(&n.point)).collect();
+    let pressure = nodes.iter().map(|n| finite(-exact.contact_stress(&n.point))).collect();
     Some(ReferencePressure { source: PressureSource::Exact, pressure })
 }
