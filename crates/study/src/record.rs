@@ -6,7 +6,11 @@ use crate::finite;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
+mod errors;
+mod ledger;
 mod zone;
+pub use errors::Errors;
+pub use ledger::Ledger;
 pub use zone::{ContactMeasure, FormulaValues, PressureSource, ReferencePressure, ZoneProfile};
 
 /// The version of the record's form.
@@ -167,166 +171,6 @@ pub struct Level {
     /// Force, width and pressure of the contact; none of a lemma, and not in records of older runs.
     #[serde(default)]
     pub contact: Option<ContactMeasure>,
-}
-
-/// Errors against the reference. `None` where the reference or the scene gives no value.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Errors {
-    /// The paper's seminorm, `(∫ ε_ij(e) ε_ij(e) dx)^{1/2}`.
-    pub strain: Option<f64>,
-    /// `√A(e,e)`.
-    pub energy: Option<f64>,
-    /// The full `H¹` norm.
-    pub h1: Option<f64>,
-    /// `L²`.
-    pub l2: Option<f64>,
-    /// `L²(Γ_K)` norm of the contact pressure's error.
-    pub pressure_l2: Option<f64>,
-    /// Lumped dual norm of the contact pressure's error, `(Σ_sides h_s ‖p − p_h‖²_{0,s})^{1/2}`.
-    pub pressure_dual: Option<f64>,
-    /// `‖([u_h]_n)_+‖_{0,Γ_K}`: penetration between nodes.
-    pub penetration_l2: Option<f64>,
-    /// Length of the symmetric difference of the contact sets.
-    pub contact_set: Option<f64>,
-    /// Largest distance of a switch point of the reference from the nearest of the discrete solution, the middle of a side
-    /// with one active end. Not in records of older runs.
-    #[serde(default)]
-    pub switch_position: Option<f64>,
-    /// Error of the energy, `L(u_h) − L(u)`.
-    pub energy_gap: Option<f64>,
-    /// Strain seminorm on `Ω'` and on `Ω''`.
-    pub strain_bodies: Option<[f64; 2]>,
-    /// `√A(u−u_I, u−u_I)`, the interpolation error the ceiling is measured by.
-    pub interpolation: Option<f64>,
-    /// `‖u − u_I‖_{0,∂Ω}`, of Lemma 3.2. Not in records of older runs.
-    #[serde(default)]
-    pub boundary_l2: Option<f64>,
-    /// The constant of an estimate, of Lemmas 3.3 and 3.4: no error, so no rate is fitted to it. Not in records of older
-    /// runs.
-    #[serde(default)]
-    pub constant: Option<f64>,
-    /// Relative difference of the half width from the study's formula, signed: positive where the discrete contact is
-    /// wider. Not in records of older runs, as the two below.
-    #[serde(default)]
-    pub half_width: Option<f64>,
-    /// The same of the peak pressure.
-    #[serde(default)]
-    pub peak_pressure: Option<f64>,
-    /// The same of the force.
-    #[serde(default)]
-    pub force: Option<f64>,
-}
-
-impl Errors {
-    /// Names of the errors that a rate is fitted to, in the order of the record.
-    pub const NORMS: [&'static str; 10] = [
-        "strain",
-        "energy",
-        "h1",
-        "l2",
-        "pressure_l2",
-        "pressure_dual",
-        "penetration_l2",
-        "contact_set",
-        "energy_gap",
-        "boundary_l2",
-    ];
-
-    /// Differences from a formula. They contain what the formula neglects and need not vanish, so no rate is fitted to
-    /// them; `formula` is the largest of the others.
-    pub const OF_FORMULA: [&'static str; 4] = ["half_width", "peak_pressure", "force", "formula"];
-
-    /// The error of the given name, signed ones by their absolute value; `constant` and [`Errors::OF_FORMULA`] too, which
-    /// are none of [`Errors::NORMS`]. `None` for a missing value and for an unknown name.
-    pub fn size(&self, name: &str) -> Option<f64> {
-        match name {
-            "strain" => self.strain,
-            "energy" => self.energy,
-            "h1" => self.h1,
-            "l2" => self.l2,
-            "pressure_l2" => self.pressure_l2,
-            "pressure_dual" => self.pressure_dual,
-            "penetration_l2" => self.penetration_l2,
-            "contact_set" => self.contact_set,
-            "energy_gap" => self.energy_gap.map(f64::abs),
-            "boundary_l2" => self.boundary_l2,
-            "constant" => self.constant,
-            _ => self.difference(name).map(f64::abs),
-        }
-    }
-
-    /// The signed difference of one of the names of [`Errors::OF_FORMULA`]; of `formula` the one farthest from zero.
-    pub fn difference(&self, name: &str) -> Option<f64> {
-        match name {
-            "half_width" => self.half_width,
-            "peak_pressure" => self.peak_pressure,
-            "force" => self.force,
-            "formula" => {
-                let all = [self.half_width, self.peak_pressure, self.force].into_iter().flatten();
-                all.reduce(|a, b| if b.abs() > a.abs() { b } else { a })
-            }
-            _ => None,
-        }
-    }
-}
-
-/// `½A(e,e) ≤ a + b + c`, term by term.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Ledger {
-    /// `½A(e,e)`.
-    pub lhs: f64,
-    /// `½A(u−u_I, u−u_I)`.
-    pub a: f64,
-    /// `∫ T_n [u_I]_n ds`.
-    pub b: f64,
-    /// Third term of the curved theorems, from `K_h ⊄ K`: `∫ T_n (Φ − U_h) ds` on an arc, `−∫ T_ξ (U_h − ε)_+ dη` across a
-    /// gap; 0 on polygons.
-    pub c: f64,
-    /// What the proof bounds `b` and `c` by, name by name (see [`Ledger::PARTS`]); empty on polygons.
-    #[serde(default)]
-    pub parts: BTreeMap<String, f64>,
-    /// Quadrature estimate of all terms together.
-    pub delta: f64,
-    /// `true`: holds; `false`: broken beyond `10 δ`; `None`: within `10 δ`.
-    pub holds: Option<bool>,
-}
-
-impl Ledger {
-    /// Names of the parts and what they are. Norms are those of `L²(Γ_K)`, in the measure of the zone; the others are
-    /// squares, like `b` itself.
-    pub const PARTS: [(&'static str, &'static str); 7] = [
-        ("trace_interpolation", "‖[u_I−u]ₙ‖₀"),
-        ("jump_minus_chord", "‖Uₕ−Ũₕ‖₀"),
-        ("nodal_minus_chord", "‖Φ−Ũₕ‖₀"),
-        ("nodal_minus_jump", "‖Φ−Uₕ‖₀"),
-        ("b_gap", "b on full sides"),
-        ("b_switch", "b on switch sides"),
-        ("gap_interpolation", "‖ε_I−ε‖₀"),
-    ];
-
-    /// Names of the terms of the estimate itself.
-    pub const TERMS: [&'static str; 4] = ["lhs", "a", "b", "c"];
-
-    /// The term of [`Ledger::TERMS`] or part of [`Ledger::PARTS`] of that name, with its sign.
-    pub fn term(&self, name: &str) -> Option<f64> {
-        match name {
-            "lhs" => Some(self.lhs),
-            "a" => Some(self.a),
-            "b" => Some(self.b),
-            "c" => Some(self.c),
-            part => self.parts.get(part).copied(),
-        }
-    }
-
-    /// The right side, `a + b + c`.
-    pub fn sum(&self) -> f64 {
-        self.a + self.b + self.c
-    }
-
-    /// Whether a term is the square of an energy norm; the others are norms on the zone.
-    pub fn is_square(name: &str) -> bool {
-        Self::TERMS.contains(&name) || ["b_gap", "b_switch"].contains(&name)
-    }
 }
 
 /// Scaled residuals of the optimality conditions (no units), recomputed from the raw data.
