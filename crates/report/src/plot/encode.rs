@@ -23,10 +23,10 @@ pub fn png(chart: &Chart) -> Result<Vec<u8>, ReportError> {
     bitmap(|canvas| draw(chart, canvas))
 }
 
-/// The picture of a contact zone, as [`png`].
+/// The picture of a contact zone, as [`png()`].
 ///
 /// # Errors
-/// As [`png`].
+/// As [`png()`].
 pub fn zone_png(chart: &ZoneChart) -> Result<Vec<u8>, ReportError> {
     bitmap(|canvas| zone_draw::draw(chart, canvas))
 }
