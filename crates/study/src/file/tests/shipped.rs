@@ -77,6 +77,10 @@ fn expected_rates_follow_from_the_regularity() {
         ("theorem-3-1-natural", _) => Some("W"),
         (_, "tiles") => Some("tiles"),
         ("remark-3-2a" | "remark-3-2b" | "fixed-quadrature", _) => Some("R"),
+        ("theorem-3-3", c) if c.starts_with("alpha") => Some("arcR"),
+        ("theorem-3-3" | "averaged-normals" | "chords" | "chord-normals", _) => Some("arcP"),
+        ("theorem-3-4", c) if c.starts_with("alpha") => Some("graphR"),
+        ("theorem-3-4" | "skewed-parameter", _) => Some("graphP"),
         _ => None,
     };
     let mut seen = 0;
@@ -88,7 +92,7 @@ fn expected_rates_follow_from_the_regularity() {
             seen += 1;
         }
     }
-    assert_eq!(seen, 22);
+    assert_eq!(seen, 52);
 }
 
 /// On a boundary the trace of `H^{1+α−δ}` is approximated like `h^{min(2, α + 1/2)}`; smooth functions like `h²`.
