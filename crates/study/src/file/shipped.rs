@@ -17,7 +17,6 @@ macro_rules! shipped {
 
 shipped! {
     Standard "":
-        "averaged-normals"
         "corner-patch"
         "hertz"
         "lemma-2-1"
@@ -37,6 +36,7 @@ shipped! {
         "two-squares"
     ;
     Controls "controls/":
+        "averaged-normals"
         "chord-normals"
         "chords"
         "fixed-quadrature"
