@@ -138,3 +138,6 @@ impl Zone<'_> {
         self.exact.solution.switch_points().iter().any(within)
     }
 }
+
+#[cfg(test)]
+mod tests;
