@@ -54,6 +54,8 @@ fn demand_soundness(record: &StudyRecord) {
             let ledger = level.ledger.as_ref().unwrap_or_else(|| panic!("{at}: no ledger"));
             assert_eq!(ledger.holds, Some(true), "{at}: {ledger:?}");
             demand_two_ways(level, &at);
+        } else {
+            assert!(level.ledger.is_none() && level.two_way.is_none(), "{at}: an identity where none holds");
         }
     }
 }

@@ -129,6 +129,22 @@ fn the_errors_of_the_wrong_corners_are_those_of_an_independent_program() {
     }
 }
 
+/// Chords in place of arcs: the strips between them are seen in their own column, and they alone are enough to refuse the
+/// measurement.
+#[test]
+fn chords_are_seen_in_the_column_of_the_geometry() {
+    let record = run("chords", "chords", &[8, 16, 32, 64], Zone::new);
+    assert_eq!(record.verdict.outcome, Outcome::Inconclusive, "{:?}", record.verdict.reasons);
+    for level in &record.levels {
+        let share = level.budget.geometry.unwrap();
+        assert!((0.1..0.2).contains(&share), "level {}: {share}", level.level);
+        let said = |r: &String| r.starts_with(&format!("level {}: geometry error", level.level));
+        assert!(record.verdict.reasons.iter().any(said), "{:?}", record.verdict.reasons);
+    }
+    let exact = run("theorem-3-3", "structured", &[8, 16], Zone::new);
+    assert!(exact.levels.iter().all(|l| l.budget.geometry == Some(0.0)));
+}
+
 #[test]
 fn a_swapped_sign_of_the_gap_breaks_the_ledger_though_the_solver_is_content() {
     let levels = [8, 16, 32, 64];

@@ -81,7 +81,8 @@ fn across_a_gap_c_and_the_split_of_b_are_those_of_a_sum_over_eta() {
         // W = v''_ξ − v'_ξ
         let closing = |y: f64, v: &[Vec2]| {
             let [right, left] = faces(y);
-            value(&locator, Body::Second, Vec2::new(left, y), v).x - value(&locator, Body::First, Vec2::new(right, y), v).x
+            value(&locator, Body::Second, Vec2::new(left, y), v).x
+                - value(&locator, Body::First, Vec2::new(right, y), v).x
         };
         let (mut c, mut b, mut interpolation) = (0.0, [0.0; 2], 0.0);
         for k in 0..STEPS {
