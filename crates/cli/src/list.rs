@@ -22,6 +22,9 @@ pub fn list() -> Result<u8, Failure> {
     sayln!("\nclaims:");
     for entry in catalogue() {
         sayln!("  {:<28} {:<16} {}", entry.id, standing(entry, &studies), entry.statement);
+        if let Standing::Nothing(why) = entry.standing {
+            sayln!("  {:<28} {:<16} {why}", "", "");
+        }
     }
     Ok(0)
 }
@@ -29,6 +32,7 @@ pub fn list() -> Result<u8, Failure> {
 fn standing(entry: &Entry, studies: &[Study]) -> String {
     match (entry.standing, studies.iter().filter(|s| s.claim.id == entry.id).count()) {
         (Standing::NotYet, _) => "not yet".into(),
+        (Standing::Nothing(_), _) => "nothing to run:".into(),
         (Standing::Landed, 1) => "1 study".into(),
         (Standing::Landed, n) => format!("{n} studies"),
     }

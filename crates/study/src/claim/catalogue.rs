@@ -21,6 +21,8 @@ pub enum Standing {
     Landed,
     /// Stated only; what it needs is not built.
     NotYet,
+    /// There is nothing to run of its own: why, and where its content is seen.
+    Nothing(&'static str),
 }
 
 /// A claim of the catalogue.
@@ -103,7 +105,13 @@ mod tests {
         let paper = [
             "lemma-1-1",
             "remark-1-1",
+            "remark-1-2",
             "remark-1-3",
+            "theorem-1-1",
+            "theorem-1-2",
+            "remark-1-4",
+            "remark-1-5",
+            "remark-1-6",
             "lemma-2-1",
             "theorem-3-1",
             "remark-3-1",
