@@ -2,7 +2,7 @@
 //!
 //! A rigid motion `y` is *allowed* if it respects `Γ_u`, `Γ_0` and opens or slides the contact zone,
 //! `n·(y' − y'') ≤ 0`. The problem has a solution when `f(y) < 0` for every allowed one-sided `y` (the load presses the
-//! bodies together) and `f(y) = 0` where `−y` is allowed as well. The allowed motions form a polyhedral cone in at most
+//! bodies together) and `f(y) = 0` where `−y` is allowed as well. On a bilateral part `n·(y' − y'') = 0`, as at a support. The allowed motions form a polyhedral cone in at most
 //! six dimensions, so its two-sided part is a null space and the rest is decided on its extreme rays.
 
 mod cone;
@@ -13,7 +13,7 @@ use crate::Error;
 use crate::basis::NodeSupport;
 use crate::geometry::{Point, Vec2, tangent_of};
 use crate::mesh::{Body, Mesh};
-use crate::zone::Zone;
+use crate::zone::{ConstraintKind, Zone};
 use nalgebra::{DMatrix, DVector, Matrix6, SymmetricEigen, Vector6};
 
 /// `|f(y)|` below this times `Σ|load|` counts as zero, for `max |y| = 1`.
@@ -21,6 +21,9 @@ const BALANCED: f64 = 1e-10;
 
 /// Eigenvalues below this share of the largest belong to the null space.
 const NULL: f64 = 1e-12;
+
+/// What the program says where it fixes a two-sided motion by itself.
+pub(crate) const MEAN_IS_ZERO: &str = "its mean is set to zero";
 
 /// What the supports and the contact leave free.
 #[derive(Clone, Debug, Default)]
@@ -85,7 +88,7 @@ fn round(x: f64) -> f64 {
 /// Tests the load against the cone of allowed rigid motions.
 pub fn balance(mesh: &Mesh, supports: &[NodeSupport], zone: &Zone, load: &[Vec2]) -> Result<Balance, Error> {
     let frame = Frame::new(mesh);
-    let free = null_space(&support_gram(mesh, supports, &frame));
+    let free = null_space(&(support_gram(mesh, supports, &frame) + bilateral_gram(mesh, zone, &frame)));
     if free.is_empty() {
         return Ok(Balance::default());
     }
@@ -98,8 +101,7 @@ pub fn balance(mesh: &Mesh, supports: &[NodeSupport], zone: &Zone, load: &[Vec2]
     for ray in extreme_rays(&one_sided, &contact) {
         judge.demand_pressing(&ray)?;
     }
-    let remark =
-        |y: &Vector6<f64>| format!("{} is free in both directions; its mean is set to zero", frame.describe(y));
+    let remark = |y: &Vector6<f64>| format!("{} is free in both directions; {MEAN_IS_ZERO}", frame.describe(y));
     Ok(Balance {
         remarks: kernel.iter().map(remark).collect(),
         kernel: kernel.iter().map(|y| judge.field(y)).collect(),
@@ -171,6 +173,19 @@ fn support_gram(mesh: &Mesh, supports: &[NodeSupport], frame: &Frame) -> Matrix6
         };
         for m in held {
             let row = frame.row(mesh.node_bodies[i], mesh.points[i], *m);
+            gram += row * row.transpose();
+        }
+    }
+    gram
+}
+
+/// `Σ r rᵀ` over the rows of the bilateral constraints.
+fn bilateral_gram(mesh: &Mesh, zone: &Zone, frame: &Frame) -> Matrix6<f64> {
+    let mut gram = Matrix6::zeros();
+    for pair in &zone.pairs {
+        let [x, y] = [pair.first, pair.second].map(|i| mesh.points[i as usize]);
+        for c in pair.constraints.iter().filter(|c| c.kind == ConstraintKind::Bilateral) {
+            let row = frame.row(Body::First, x, c.normal) - frame.row(Body::Second, y, c.normal);
             gram += row * row.transpose();
         }
     }
