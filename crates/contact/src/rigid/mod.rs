@@ -230,9 +230,17 @@ fn split(free: &[Vector6<f64>], contact: &[Vector6<f64>]) -> (Vec<Vector6<f64>>,
     let mut parts = (Vec::new(), Vec::new());
     for (i, &value) in eigen.eigenvalues.iter().enumerate() {
         let motion = combine(eigen.eigenvectors.column(i).into_owned());
-        if value <= NULL * largest.max(1.0) { parts.0.push(motion) } else { parts.1.push(motion) }
+        if value <= NULL * largest.max(1.0) { parts.0.push(directed(motion)) } else { parts.1.push(motion) }
     }
     parts
+}
+
+/// One of `±q`: the one whose first coordinate of more than half the largest size is positive, so that a motion has one name
+/// on every mesh.
+fn directed(q: Vector6<f64>) -> Vector6<f64> {
+    let largest = q.amax();
+    let first = q.iter().find(|x| x.abs() > 0.5 * largest).copied().unwrap_or(0.0);
+    if first < 0.0 { -q } else { q }
 }
 
 /// The extreme rays of `{ q ∈ span(directions) : r·q ≤ 0 for every row r }`, a pointed cone.
