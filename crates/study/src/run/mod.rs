@@ -15,6 +15,8 @@ mod refused;
 mod slide;
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod tied;
 pub mod timing;
 #[cfg(test)]
 mod twins;
@@ -181,7 +183,7 @@ fn run_contact(
     let reference = reference::describe(case, overkill.as_ref().map(|(o, _)| o), &task);
     let mut record = conclude(study, case, settings, levels, reference);
     record.verdict = refused::doubted(record.verdict, &refused);
-    record.notes.extend(refused);
+    record.notes.extend(refused.into_iter().chain(level::bilateral::note(&record.levels)));
     Ok(CaseRun { record, times, reference_times: overkill.map(|(_, t)| t), kept: partial })
 }
 
