@@ -1,5 +1,9 @@
 //! A contact problem on a mesh: from bodies and loads to the bound-constrained problem, and back to displacements.
 
+mod slide;
+
+pub use slide::SlideCondition;
+
 use crate::basis::{Basis, BoundOrigin, NodeSupport};
 pub use crate::data::{Data, Support, Unloaded};
 use crate::geometry::{Vec2, cross, tangent_of};
@@ -45,7 +49,8 @@ pub struct Discrete {
 pub struct Solution {
     /// Nodal displacements.
     pub displacement: Vec<Vec2>,
-    /// The multiplier of each constraint of each pair (zero where the constraint was dropped), a force.
+    /// The multiplier of each constraint of each pair (zero where the constraint was dropped), a force; negative only where
+    /// a bilateral constraint is in tension.
     pub contact_forces: Vec<Vec<f64>>,
     /// `L(u_h)`.
     pub energy: f64,
@@ -179,6 +184,23 @@ impl Discrete {
         self.basis.fixed.iter().filter(|f| !**f).count()
     }
 
+    /// The multiplier of each bilateral constraint, of either sign: what the equation of its component lacks,
+    /// `λ_c = (Tᵀ(f − A u_h))_c`.
+    pub fn held_forces(
+        &self,
+        mesh: &Mesh,
+        materials: &[Material; 2],
+        displacement: &[Vec2],
+    ) -> Vec<(BoundOrigin, f64)> {
+        if self.basis.held.is_empty() {
+            return Vec::new();
+        }
+        let internal = assembly::internal_forces(mesh, materials, displacement);
+        let rest: Vec<Vec2> = self.load.iter().zip(&internal).map(|(f, r)| f - r).collect();
+        let rest = self.basis.full_force(&rest);
+        self.basis.held.iter().map(|h| (h.origin, rest[h.dof as usize])).collect()
+    }
+
     /// Turns the answer of the quadratic problem into displacements, contact forces and energies.
     pub fn recover(&self, mesh: &Mesh, materials: &[Material; 2], raw: QpSolution) -> Solution {
         let displacement = self.basis.displacement(&raw.x);
@@ -186,6 +208,9 @@ impl Discrete {
             self.zone.pairs.iter().map(|p| vec![0.0; p.constraints.len()]).collect();
         for (origin, force) in self.origins.iter().zip(&raw.multipliers) {
             contact_forces[origin.pair][origin.constraint] = *force;
+        }
+        for (origin, force) in self.held_forces(mesh, materials, &displacement) {
+            contact_forces[origin.pair][origin.constraint] = force;
         }
         // L(u_h) = ½A(u_h,u_h) − f(u_h), the quadratic part element by element from strains.
         let strain_energy = norm::of_linear(mesh, materials, &displacement).energy;

@@ -6,9 +6,11 @@ use crate::finite;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
+mod bilateral;
 mod errors;
 mod ledger;
 mod zone;
+pub use bilateral::BilateralRecord;
 pub use errors::Errors;
 pub use ledger::Ledger;
 pub use zone::{ContactMeasure, FormulaValues, PressureSource, ReferencePressure, ZoneProfile};
@@ -186,6 +188,9 @@ pub struct Kkt {
     pub complementarity: f64,
     /// Constraints with `λ < 1e-8 max λ` and `g−x_c < 1e-8 max|u|`.
     pub weakly_active: usize,
+    /// The bilateral constraints, of which the residuals above know nothing; none without a bilateral part.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub bilateral: Option<BilateralRecord>,
 }
 
 /// What else than the discretisation may sit in the measured error, as shares of `errors.energy`.

@@ -7,6 +7,7 @@ use crate::lemma::Lemma;
 use crate::record::{Bounds, FormulaValues, Outcome};
 use signorini_contact::element::CurvedElement;
 use signorini_contact::geometry::SharedCurve;
+use signorini_contact::problem::SlideCondition;
 use signorini_contact::{Body, ContactLine, Material, Path, Point, Vec2, mesh, solver};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -168,6 +169,10 @@ pub struct Scene {
     pub parts: Vec<Part>,
     /// The contact zone.
     pub contact: ContactLine,
+    /// Numbers of the pieces of the zone where the bodies may not part, `Γ_K0`, ascending.
+    pub bilateral: Vec<usize>,
+    /// The condition that picks one solution where a body may slide; `None`: the program's own.
+    pub slide: Option<SlideCondition>,
     /// How curved sides and the contact zone are discretised.
     pub discretisation: Discretisation,
     /// Body forces given by expressions; `None`: zero, or from the exact solution if there is one.

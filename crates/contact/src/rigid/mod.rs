@@ -2,7 +2,7 @@
 //!
 //! A rigid motion `y` is *allowed* if it respects `Γ_u`, `Γ_0` and opens or slides the contact zone,
 //! `n·(y' − y'') ≤ 0`. The problem has a solution when `f(y) < 0` for every allowed one-sided `y` (the load presses the
-//! bodies together) and `f(y) = 0` where `−y` is allowed as well. The allowed motions form a polyhedral cone in at most
+//! bodies together) and `f(y) = 0` where `−y` is allowed as well. On a bilateral part `n·(y' − y'') = 0`, as at a support. The allowed motions form a polyhedral cone in at most
 //! six dimensions, so its two-sided part is a null space and the rest is decided on its extreme rays.
 
 mod cone;
@@ -13,7 +13,7 @@ use crate::Error;
 use crate::basis::NodeSupport;
 use crate::geometry::{Point, Vec2, tangent_of};
 use crate::mesh::{Body, Mesh};
-use crate::zone::Zone;
+use crate::zone::{ConstraintKind, Zone};
 use nalgebra::{DMatrix, DVector, Matrix6, SymmetricEigen, Vector6};
 
 /// `|f(y)|` below this times `Σ|load|` counts as zero, for `max |y| = 1`.
@@ -21,6 +21,9 @@ const BALANCED: f64 = 1e-10;
 
 /// Eigenvalues below this share of the largest belong to the null space.
 const NULL: f64 = 1e-12;
+
+/// What the program says where it fixes a two-sided motion by itself.
+pub(crate) const MEAN_IS_ZERO: &str = "its mean is set to zero";
 
 /// What the supports and the contact leave free.
 #[derive(Clone, Debug, Default)]
@@ -85,7 +88,7 @@ fn round(x: f64) -> f64 {
 /// Tests the load against the cone of allowed rigid motions.
 pub fn balance(mesh: &Mesh, supports: &[NodeSupport], zone: &Zone, load: &[Vec2]) -> Result<Balance, Error> {
     let frame = Frame::new(mesh);
-    let free = null_space(&support_gram(mesh, supports, &frame));
+    let free = null_space(&(support_gram(mesh, supports, &frame) + bilateral_gram(mesh, zone, &frame)));
     if free.is_empty() {
         return Ok(Balance::default());
     }
@@ -98,8 +101,7 @@ pub fn balance(mesh: &Mesh, supports: &[NodeSupport], zone: &Zone, load: &[Vec2]
     for ray in extreme_rays(&one_sided, &contact) {
         judge.demand_pressing(&ray)?;
     }
-    let remark =
-        |y: &Vector6<f64>| format!("{} is free in both directions; its mean is set to zero", frame.describe(y));
+    let remark = |y: &Vector6<f64>| format!("{} is free in both directions; {MEAN_IS_ZERO}", frame.describe(y));
     Ok(Balance {
         remarks: kernel.iter().map(remark).collect(),
         kernel: kernel.iter().map(|y| judge.field(y)).collect(),
@@ -177,6 +179,19 @@ fn support_gram(mesh: &Mesh, supports: &[NodeSupport], frame: &Frame) -> Matrix6
     gram
 }
 
+/// `Σ r rᵀ` over the rows of the bilateral constraints.
+fn bilateral_gram(mesh: &Mesh, zone: &Zone, frame: &Frame) -> Matrix6<f64> {
+    let mut gram = Matrix6::zeros();
+    for pair in &zone.pairs {
+        let [x, y] = [pair.first, pair.second].map(|i| mesh.points[i as usize]);
+        for c in pair.constraints.iter().filter(|c| c.kind == ConstraintKind::Bilateral) {
+            let row = frame.row(Body::First, x, c.normal) - frame.row(Body::Second, y, c.normal);
+            gram += row * row.transpose();
+        }
+    }
+    gram
+}
+
 fn null_space(gram: &Matrix6<f64>) -> Vec<Vector6<f64>> {
     let eigen = SymmetricEigen::new(*gram);
     let largest = eigen.eigenvalues.max().max(f64::MIN_POSITIVE);
@@ -215,9 +230,17 @@ fn split(free: &[Vector6<f64>], contact: &[Vector6<f64>]) -> (Vec<Vector6<f64>>,
     let mut parts = (Vec::new(), Vec::new());
     for (i, &value) in eigen.eigenvalues.iter().enumerate() {
         let motion = combine(eigen.eigenvectors.column(i).into_owned());
-        if value <= NULL * largest.max(1.0) { parts.0.push(motion) } else { parts.1.push(motion) }
+        if value <= NULL * largest.max(1.0) { parts.0.push(directed(motion)) } else { parts.1.push(motion) }
     }
     parts
+}
+
+/// One of `±q`: the one whose first coordinate of more than half the largest size is positive, so that a motion has one name
+/// on every mesh.
+fn directed(q: Vector6<f64>) -> Vector6<f64> {
+    let largest = q.amax();
+    let first = q.iter().find(|x| x.abs() > 0.5 * largest).copied().unwrap_or(0.0);
+    if first < 0.0 { -q } else { q }
 }
 
 /// The extreme rays of `{ q ∈ span(directions) : r·q ≤ 0 for every row r }`, a pointed cone.

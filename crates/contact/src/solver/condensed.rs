@@ -7,7 +7,7 @@
 
 use super::active_set::{DenseSolution, PrimalDual, primal_dual};
 use super::dense::DenseQp;
-use super::kernel::{anchors, impose_conditions};
+use super::kernel::{anchors, impose_conditions, start};
 use super::monotone::{Monotone, monotone};
 use super::schur::Condensation;
 use super::{QpSolution, Settings, Status};
@@ -30,7 +30,7 @@ pub struct Condensed<'a> {
 struct Parts {
     condensation: Condensation,
     dense: DenseQp,
-    /// Unknowns held at zero in place of the kernel.
+    /// Unknowns held in place of the kernel.
     held: Vec<usize>,
 }
 
@@ -44,13 +44,18 @@ impl<'a> Condensed<'a> {
     pub fn solve(self, settings: &Settings) -> QpSolution {
         let mut answer = QpSolution::unsolved(self.qp, Status::NotPositiveDefinite);
         answer.factorizations = 1;
-        let Some(Parts { condensation, dense, held }) = self.parts else {
+        let Some(Parts { condensation, mut dense, held }) = self.parts else {
             return answer;
         };
+        let start = start(self.qp, &held, settings.start_slide);
+        let load = residual(self.qp, &start);
+        if settings.start_slide != 0.0 && !held.is_empty() {
+            dense.load = condensation.reduced_load(&dense.matrix, &load);
+        }
         let (status, solution) = solve_dense(&dense, settings, &mut answer.history);
         answer.iterations = answer.history.len();
         if let Some(solution) = solution {
-            let expansion = Expansion { qp: self.qp, condensation, dense, solution, held };
+            let expansion = Expansion { qp: self.qp, condensation, dense, solution, held, start, load };
             answer.x = expansion.refined();
             answer.status = status;
             finish(self.qp, &expansion.solution.active, &mut answer);
@@ -117,14 +122,19 @@ struct Expansion<'a> {
     condensation: Condensation,
     dense: DenseQp,
     solution: DenseSolution,
-    /// Unknowns held at zero in place of the kernel.
+    /// Unknowns held in place of the kernel.
     held: Vec<usize>,
+    /// `x_0`: the held unknowns at their value, zero elsewhere.
+    start: Vec<f64>,
+    /// `f − K x_0`.
+    load: Vec<f64>,
 }
 
 impl Expansion<'_> {
     /// The full solution, corrected as long as this reduces the residual.
     fn refined(&self) -> Vec<f64> {
-        let mut x = self.expand(&self.qp.load, &self.dense.load, &self.solution.x);
+        let mut x = self.expand(&self.load, &self.dense.load, &self.solution.x);
+        x.iter_mut().zip(&self.start).for_each(|(x, start)| *x += start);
         self.put_on_bounds(&mut x);
         let mut rest = self.free_residual(&x);
         for _ in 0..REFINEMENTS {

@@ -14,13 +14,13 @@ const REFINEMENTS: usize = 2;
 
 /// Replaces `answer.x` by the solution on the active set and returns that set; `None`, and the status says why, if the
 /// set did not come to rest.
-pub fn crossover(qp: &BoundQp, removed: &[bool], answer: &mut QpSolution) -> Option<Vec<bool>> {
+pub fn crossover(qp: &BoundQp, removed: &[bool], start: &[f64], answer: &mut QpSolution) -> Option<Vec<bool>> {
     let mut active = identified(qp, answer);
     let steps = answer.iterations;
     for _ in 0..ROUNDS {
         answer.history.push(active.iter().filter(|a| **a).count());
         answer.factorizations += 1;
-        let Some(x) = equality_solve(qp, removed, &active) else {
+        let Some(x) = equality_solve(qp, removed, start, &active) else {
             answer.status = Status::NotPositiveDefinite;
             return None;
         };
@@ -56,10 +56,10 @@ fn corrected(qp: &BoundQp, active: &[bool], x: &[f64]) -> Vec<bool> {
     qp.bounds.iter().zip(active).map(stays).collect()
 }
 
-/// `x_A = g_A`, `K_II x_I = f_I − K_IA g_A`, zero on the removed unknowns. `None` if `K_II` is not positive definite.
-fn equality_solve(qp: &BoundQp, removed: &[bool], active: &[bool]) -> Option<Vec<f64>> {
+/// `x_A = g_A`, `K_II x_I = f_I − K_IA g_A`, `x = start` on the removed unknowns. `None` if `K_II` is not positive definite.
+fn equality_solve(qp: &BoundQp, removed: &[bool], start: &[f64], active: &[bool]) -> Option<Vec<f64>> {
     let mut fixed = removed.to_vec();
-    let mut x = vec![0.0; qp.matrix.dimension()];
+    let mut x = start.to_vec();
     for (bound, _) in qp.bounds.iter().zip(active).filter(|(_, a)| **a) {
         fixed[bound.dof as usize] = true;
         x[bound.dof as usize] = bound.upper;

@@ -82,11 +82,14 @@ pub struct Settings {
     pub tolerance: f64,
     /// Interior point: whether the active set found is polished by an equality solve.
     pub crossover: bool,
+    /// Where a body may slide both ways: the value at which one component for each such motion is held while solving. The
+    /// conditions `p(x) = 0` move the solution afterwards, so the answer does not depend on it.
+    pub start_slide: f64,
 }
 
 impl Default for Settings {
     fn default() -> Self {
-        Self { method: Method::Condensed, max_steps: 50, tolerance: 1e-11, crossover: true }
+        Self { method: Method::Condensed, max_steps: 50, tolerance: 1e-11, crossover: true, start_slide: 0.0 }
     }
 }
 

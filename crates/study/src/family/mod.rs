@@ -15,6 +15,7 @@
 use signorini_contact::Point;
 use signorini_contact::mesh::blocks::Pattern;
 
+mod cut;
 pub mod delaunay;
 mod level;
 mod perturb;

@@ -6,6 +6,7 @@
 //!
 //! `studies/README.md` describes every field. [`library`] finds the files.
 
+mod bilateral;
 mod boundary;
 mod canonical;
 mod curve;
@@ -27,6 +28,7 @@ mod raw;
 mod resolve;
 mod shape;
 mod shipped;
+mod slide;
 #[cfg(test)]
 mod tests;
 mod traces;

@@ -226,6 +226,9 @@ pub fn solver(raw: Option<&RawSolver>) -> Result<Settings, Fault> {
             return refuse(steps.span(), "max_steps = 0 leaves nothing to do", "50 is the default");
         }
     }
+    if let Some(start) = &raw.start_slide {
+        settings.start_slide = start.get_ref().0;
+    }
     settings.crossover = raw.crossover.unwrap_or(settings.crossover);
     Ok(settings)
 }

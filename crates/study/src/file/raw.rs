@@ -30,6 +30,7 @@ pub struct RawStudy {
     pub body: Option<Vec<Spanned<RawBody>>>,
     pub boundary: Option<Vec<RawBoundary>>,
     pub contact: Option<RawContact>,
+    pub slide: Option<Spanned<RawSlide>>,
     pub curve: Option<Vec<Spanned<RawCurve>>>,
     pub discretisation: Option<Spanned<RawDiscretisation>>,
     pub exact: Option<Spanned<RawExact>>,
@@ -55,6 +56,7 @@ pub struct RawCase {
     pub body: Option<Vec<Spanned<RawBody>>>,
     pub boundary: Option<Vec<RawBoundary>>,
     pub contact: Option<RawContact>,
+    pub slide: Option<Spanned<RawSlide>>,
     pub curve: Option<Vec<Spanned<RawCurve>>>,
     pub discretisation: Option<Spanned<RawDiscretisation>>,
     pub exact: Option<Spanned<RawExact>>,
@@ -167,6 +169,8 @@ pub struct RawContact {
     pub direction: Option<Spanned<RawPoint>>,
     #[serde(default)]
     pub symmetric: bool,
+    #[serde(default)]
+    pub bilateral: Vec<Spanned<Fixed<RawPoint, 2>>>,
 }
 
 impl RawContact {
@@ -174,6 +178,13 @@ impl RawContact {
     pub fn span(&self) -> Option<std::ops::Range<usize>> {
         self.along.as_ref().map(Spanned::span).or(self.gap.as_ref().map(Spanned::span))
     }
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawSlide {
+    pub body: Spanned<String>,
+    pub along: Spanned<Fixed<RawPoint, 2>>,
 }
 
 #[derive(Deserialize)]
@@ -399,6 +410,7 @@ pub struct RawSolver {
     pub tolerance: Option<Spanned<Finite>>,
     pub crossover: Option<bool>,
     pub max_steps: Option<Spanned<usize>>,
+    pub start_slide: Option<Spanned<Finite>>,
 }
 
 #[derive(Clone, Copy, Deserialize)]

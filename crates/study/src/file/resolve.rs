@@ -6,7 +6,7 @@ use super::error::{Fault, refuse};
 use super::field::{INSIDE, vector_field};
 use super::layer::Layer;
 use super::raw::{Expect, RawBody, RawStudy};
-use super::{boundary, discretisation, exact, formula, judge, lemma, material, plan, shape, words};
+use super::{bilateral, boundary, discretisation, exact, formula, judge, lemma, material, plan, shape, slide, words};
 use crate::claim::Claim;
 use crate::lemma::Lemma;
 use crate::record::Outcome;
@@ -165,13 +165,16 @@ fn scene(layer: &Layer<'_>, place: &Range<usize>, control: bool) -> Result<Scene
     };
     let force = |body: &RawBody| body.force.as_ref().map(|f| vector_field(f, &INSIDE, p)).transpose();
     let symmetric = contact.symmetric;
-    let contact = boundary::contact(contact, &bodies, &curves, place.clone())?;
+    let line = boundary::contact(contact, &bodies, &curves, place.clone())?;
+    let (contact, bilateral) = bilateral::split(line, &contact.bilateral)?;
     Ok(Scene {
         formula: layer.formula.map(|f| formula::formula(f, &contact, p)).transpose()?,
         symmetric,
         parts: boundary::parts(layer.boundary.unwrap_or_default(), &bodies, &curves, p)?,
         discretisation: discretisation::discretisation(layer.discretisation, &contact)?,
         contact,
+        bilateral,
+        slide: layer.slide.map(|s| slide::slide(s.get_ref(), &bodies)).transpose()?,
         body_force: [force(a)?, force(b)?],
         exact: layer
             .exact

@@ -1,6 +1,7 @@
 //! A discrete reference on a finer nested mesh: the difference is piecewise linear there and integrated exactly.
 
 use signorini_contact::Vec2;
+use signorini_contact::basis::BoundOrigin;
 use signorini_contact::material::Material;
 use signorini_contact::mesh::Hierarchy;
 use signorini_contact::norm::{self, Squares};
@@ -36,14 +37,14 @@ impl Overkill {
     /// `A(u_ref, w) − f(w) = −Σ λ_c w_c` for `w = v − u_ref`: the reference's own residual, which stands for the exact
     /// contact stress.
     pub fn contact_work(&self, v: &[Vec2]) -> f64 {
-        let jump = |k: usize| {
-            let origin = &self.discrete.origins[k];
+        let jump = |origin: &BoundOrigin| {
             let pair = &self.discrete.zone.pairs[origin.pair];
             let normal = pair.constraints[origin.constraint].normal;
             let of = |field: &[Vec2]| normal.dot(&(field[pair.first as usize] - field[pair.second as usize]));
             of(v) - of(&self.solution.displacement)
         };
-        let forces = &self.solution.raw.multipliers;
-        -(0..forces.len()).map(|k| forces[k] * jump(k)).sum::<f64>()
+        let held = self.discrete.basis.held.iter().map(|h| &h.origin);
+        let force = |o: &BoundOrigin| self.solution.contact_forces[o.pair][o.constraint];
+        -self.discrete.origins.iter().chain(held).map(|o| force(o) * jump(o)).sum::<f64>()
     }
 }

@@ -11,6 +11,8 @@ mod overlay;
 mod partial;
 mod profile;
 mod reference;
+mod refused;
+mod slide;
 #[cfg(test)]
 mod tests;
 pub mod timing;
@@ -160,6 +162,7 @@ fn run_contact(
     watch: &dyn Watch,
 ) -> Result<CaseRun, RunError> {
     verify_exact(case, scene)?;
+    slide::verify(scene, &study.claim.norm)?;
     let cells = cells_of(case, settings);
     let task = Task { case, scene, cells, settings: solver_settings(case, settings), constrain: Zone::new };
     let partial = Partial::open(study, case, settings, &task)?;
@@ -172,9 +175,13 @@ fn run_contact(
         watch.level_done(&study.id, &case.name, index);
         measured
     };
-    let (levels, times) = side_by_side(cells.len(), measure)?;
+    let measured: Vec<_> = (0..cells.len()).into_par_iter().map(measure).collect();
+    let refused::Parted { solved, refused } = refused::part(measured, cells)?;
+    let (levels, times) = solved.into_iter().unzip();
     let reference = reference::describe(case, overkill.as_ref().map(|(o, _)| o), &task);
-    let record = conclude(study, case, settings, levels, reference);
+    let mut record = conclude(study, case, settings, levels, reference);
+    record.verdict = refused::doubted(record.verdict, &refused);
+    record.notes.extend(refused);
     Ok(CaseRun { record, times, reference_times: overkill.map(|(_, t)| t), kept: partial })
 }
 
@@ -208,7 +215,7 @@ fn verify_exact(case: &Case, scene: &Scene) -> Result<(), RunError> {
             Ok(())
         };
     };
-    verify::verify(exact.solution.as_ref(), &exact.materials, &scene.contact)
+    verify::verify_tied(exact.solution.as_ref(), &exact.materials, &scene.contact, &scene.bilateral)
         .map(|_| ())
         .map_err(|e| RunError::Exact(e.to_string()))
 }

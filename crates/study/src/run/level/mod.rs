@@ -3,7 +3,9 @@
 mod against_exact;
 mod against_located;
 mod against_overkill;
+mod bilateral;
 mod defects;
+mod discretise;
 #[cfg(test)]
 mod located_tests;
 mod parts;
@@ -20,7 +22,6 @@ use crate::reference::exact::Pair;
 use crate::reference::overkill::Overkill;
 use crate::study::{Case, ExactScene, Scene};
 use against_exact::ExactMeasurement;
-use defects::with_normals;
 use signorini_contact::mesh::Mesh;
 use signorini_contact::problem::{Discrete, Problem, Solution, Support};
 use signorini_contact::qp;
@@ -69,8 +70,7 @@ impl Task<'_> {
         let cubature = self.scene.cubature(1, fixed);
         let supports = self.scene.supports();
         let problem = self.problem(mesh, &supports, &cubature);
-        let zone = with_normals((self.constrain)(mesh), mesh, &self.scene.discretisation);
-        let discrete = problem.discretise_zone(fine.load.clone(), zone)?;
+        let discrete = self.scene.discretise(&problem, fine.load.clone(), (self.constrain)(mesh))?;
         watch.lap(|t| &mut t.assembly);
         let solved = self.solve(&problem, discrete, &mut watch);
         let measured = ExactMeasurement {
@@ -107,7 +107,7 @@ impl Task<'_> {
         let fine = cubature.finer();
         let problem = self.problem(mesh, &supports, &fine);
         let coarse_load = assembly::loads(mesh, &supports, self.scene, &cubature)?;
-        let discrete = problem.discretise()?;
+        let discrete = self.discretise(&problem)?;
         watch.lap(|t| &mut t.assembly);
         let solved = self.solve(&problem, discrete, &mut watch);
         let mut level = self.level(index, &meshed, &solved);
@@ -128,7 +128,7 @@ impl Task<'_> {
         let supports = self.scene.supports();
         let cubature = self.scene.cubature(1, self.case.fixed_quadrature);
         let problem = self.problem(mesh, &supports, &cubature);
-        let discrete = problem.discretise()?;
+        let discrete = self.discretise(&problem)?;
         watch.lap(|t| &mut t.assembly);
         let solved = self.solve(&problem, discrete, &mut watch);
         let level = self.level(index, &meshed, &solved);
@@ -144,7 +144,7 @@ impl Task<'_> {
         let supports = scene.supports();
         let cubature = scene.cubature(0, self.case.fixed_quadrature);
         let problem = self.problem(hierarchy.finest(), &supports, &cubature);
-        let discrete = problem.discretise()?;
+        let discrete = self.discretise(&problem)?;
         watch.lap(|t| &mut t.assembly);
         let solved = self.solve(&problem, discrete, &mut watch);
         if !solved.solution.raw.status.is_solved() {
@@ -160,6 +160,12 @@ impl Task<'_> {
     fn problem<'b>(&'b self, mesh: &'b Mesh, supports: &'b [Support], cubature: &'b Cubature) -> Problem<'b> {
         let scene = self.scene;
         Problem { mesh, materials: scene.materials, supports, data: scene, cubature }
+    }
+
+    /// The problem with its loads and constraints, as the scene ties and fixes them.
+    fn discretise(&self, problem: &Problem) -> Result<Discrete, RunError> {
+        let load = assembly::loads(problem.mesh, problem.supports, problem.data, problem.cubature)?;
+        Ok(self.scene.discretise(problem, load, Zone::new(problem.mesh))?)
     }
 
     fn solve(&self, problem: &Problem, discrete: Discrete, watch: &mut Stopwatch) -> Solved {
@@ -235,6 +241,7 @@ pub(super) fn certificate(discrete: &Discrete, solution: &Solution) -> Kkt {
         tension: c.tension,
         complementarity: c.complementarity,
         weakly_active: c.weakly_active,
+        bilateral: bilateral::measure(discrete, solution, scales.displacement),
     }
 }
 
