@@ -13,7 +13,8 @@ pub const TEXT_WIDTH: usize = 110;
 /// `summary.md`: the counts, one table row per case with a link to its page, the reasons behind what did not pass, and
 /// how regular the meshes are where the claim asks for it.
 pub fn summary_markdown(records: &[StudyRecord]) -> String {
-    let mut out = format!("# Summary\n\n{}\n\n", verdict::counts(records));
+    let statements = "[The paper, statement by statement](statements.md)";
+    let mut out = format!("# Summary\n\n{}\n\n{statements}\n\n", verdict::counts(records));
     if records.is_empty() {
         return out;
     }

@@ -198,7 +198,7 @@ pub struct Kkt {
 pub struct Budget {
     /// KKT residual in the energy norm.
     pub algebraic: Option<f64>,
-    /// Loads, error integrals and energies against a rule one refinement finer.
+    /// Loads, error integrals and energies against a finer rule.
     pub quadrature: Option<f64>,
     /// Domain replaced by its mesh; 0 on polygons.
     pub geometry: Option<f64>,

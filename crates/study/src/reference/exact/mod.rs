@@ -57,7 +57,7 @@ pub struct Integrals {
     curved: BTreeMap<u32, CurvedPart>,
 }
 
-/// The same integrals by two quadratures, the second one refinement finer on every element.
+/// The same integrals by two quadratures, the second of higher degree or one refinement finer on every element.
 pub struct Pair {
     /// The coarser one: what the quadrature error is measured against.
     pub base: Integrals,
@@ -82,7 +82,7 @@ impl Pair {
         let cubature = Cubature { grading: ADAPTIVE_GRADING, ..scene.cubature(0, fixed) };
         let element = |t: usize| ElementIntegrand::new(scene, exact, mesh, interpolant, t);
         let rough = |t: usize| {
-            if mesh.curved.of(t).is_some() { 0.0 } else { element(t).once(&cubature).interpolation.energy }
+            if mesh.curved.of(t).is_some() { 0.0 } else { element(t).rough_energy(&cubature) }
         };
         let total = ordered_sum(mesh.triangles.len(), rough);
         let share = total * f64::min(SMALLEST_SHARE, 1.0 / mesh.triangles.len() as f64);
