@@ -31,7 +31,7 @@ fn tied(id: &str, name: &str, cells: &[usize], pieces: &[usize]) -> Result<Study
     let mut scene = case.scene().unwrap().clone();
     scene.bilateral = pieces.to_vec();
     let task = Task { case: &case, scene: &scene, cells, settings: case.solver, constrain: Zone::new };
-    let levels: Result<Vec<_>, _> = (0..cells.len()).map(|k| Ok(measure_level(&task, None, k)?.0)).collect();
+    let levels: Result<Vec<_>, RunError> = (0..cells.len()).map(|k| Ok(measure_level(&task, None, k)?.0)).collect();
     Ok(conclude(&study, &case, &QUICK, levels?, Reference::Exact))
 }
 
