@@ -9,6 +9,7 @@
 mod boundary;
 mod canonical;
 mod curve;
+mod degenerate;
 mod discretisation;
 mod error;
 mod exact;
@@ -27,6 +28,7 @@ mod raw;
 mod resolve;
 mod shape;
 mod shipped;
+mod splitting;
 #[cfg(test)]
 mod tests;
 mod traces;

@@ -6,7 +6,7 @@ use super::error::{Fault, refuse};
 use super::field::{INSIDE, vector_field};
 use super::layer::Layer;
 use super::raw::{Expect, RawBody, RawStudy};
-use super::{boundary, discretisation, exact, formula, judge, lemma, material, plan, shape, words};
+use super::{boundary, discretisation, exact, formula, judge, lemma, material, plan, shape, splitting, words};
 use crate::claim::Claim;
 use crate::lemma::Lemma;
 use crate::record::Outcome;
@@ -89,6 +89,7 @@ fn case(name: &Spanned<String>, layer: Layer<'_>, claim: &Claim) -> Result<Case,
         gates.ceiling = None;
     }
     let (bounds, expected_is_asymptotic) = judge::bounds(&claim.bounds, layer.expected)?;
+    let splitting = splitting::splitting(layer.splitting, claim, &subject, &reference, is_located, place.clone())?;
     let mut case = Case {
         name: name.get_ref().clone(),
         notes: notes(&layer, &subject, &reference, is_located),
@@ -103,6 +104,7 @@ fn case(name: &Spanned<String>, layer: Layer<'_>, claim: &Claim) -> Result<Case,
         expected_is_asymptotic,
         expect: layer.expect.map(outcome),
         inconclusive_at_quick: layer.inconclusive_at_quick.cloned(),
+        splitting,
         fixed_quadrature,
         canonical: String::new(),
         parameters: BTreeMap::new(),
