@@ -29,6 +29,7 @@ pub mod markdown;
 pub mod norm;
 pub mod plot;
 pub mod regularity;
+mod splitting;
 pub mod statements;
 pub mod summary;
 pub mod table;

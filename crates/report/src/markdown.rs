@@ -6,6 +6,7 @@ use crate::ledger;
 use crate::levels;
 use crate::norm;
 use crate::regularity;
+use crate::splitting;
 use crate::table::{Cell, Column, Row, Table};
 use crate::verdict;
 use signorini_study::record::{ClaimKind, Rate, Reference, StudyRecord};
@@ -34,6 +35,7 @@ pub fn page(record: &StudyRecord, pictures: Pictures) -> String {
         section("What would refute it", &record.refuted_by),
         errors(record, pictures.rates),
         ledger_section(record, pictures),
+        splitting(record),
         table_section("Contact", &levels::contact(record), CONTACT_LEGEND),
         pressure(record, pictures.pressure),
         certificate(record),
@@ -183,6 +185,7 @@ fn fit_words(rate: &Rate) -> String {
 
 fn set_up(record: &StudyRecord) -> String {
     let mut lines = vec![format!("- Family: {}", family_words(record))];
+    lines.extend(regularity::angles(record).map(|words| format!("- Angles: {words}")));
     lines.extend(regularity::sentence(record).map(|words| format!("- Regularity: {words}")));
     if levels::has_solution(record) {
         lines.push(format!("- Reference: {}", reference_words(&record.reference)));
@@ -274,6 +277,11 @@ fn ledger_section(record: &StudyRecord, pictures: Pictures) -> String {
         body += &format!("\n{}\n{TERMS_LEGEND}\n", rates.to_markdown_above(note));
     }
     section("Ledger", &body)
+}
+
+/// Falk's splitting on the finest level, and how tight it is on the others.
+fn splitting(record: &StudyRecord) -> String {
+    section("Falk's splitting", &splitting::body(record))
 }
 
 /// The contact pressure of the finest level, and what a formula says of it.

@@ -18,6 +18,7 @@ pub mod run;
 #[cfg(test)]
 mod sample;
 mod scene;
+pub mod splitting;
 pub mod store;
 pub mod study;
 pub mod verdict;

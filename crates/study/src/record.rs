@@ -9,10 +9,12 @@ use std::collections::BTreeMap;
 mod bilateral;
 mod errors;
 mod ledger;
+mod splitting;
 mod zone;
 pub use bilateral::BilateralRecord;
 pub use errors::Errors;
 pub use ledger::Ledger;
+pub use splitting::{Estimate, Splitting};
 pub use zone::{ContactMeasure, FormulaValues, PressureSource, ReferencePressure, ZoneProfile};
 
 /// The version of the record's form.
@@ -153,6 +155,12 @@ pub struct Level {
     pub errors: Errors,
     /// Ledger of the error estimate, in squares of the energy norm.
     pub ledger: Option<Ledger>,
+    /// Falk's splitting, by kinds of `v` and `v_h`, where the study measures it.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub splitting: Vec<Splitting>,
+    /// Whether `K_h ⊂ K` by construction, so that energies of nested meshes may only fall. Not in records of older runs.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub inside: Option<bool>,
     /// KKT certificate.
     pub kkt: Kkt,
     /// Shares of `errors.energy`.

@@ -5,6 +5,7 @@ use crate::exact::Exact;
 use crate::family::Family;
 use crate::lemma::Lemma;
 use crate::record::{Bounds, FormulaValues, Outcome};
+use crate::splitting::SplittingPlan;
 use signorini_contact::element::CurvedElement;
 use signorini_contact::geometry::SharedCurve;
 use signorini_contact::problem::SlideCondition;
@@ -63,6 +64,8 @@ pub struct Case {
     pub expect: Option<Outcome>,
     /// Why the case cannot be judged at the quick profile's sizes.
     pub inconclusive_at_quick: Option<String>,
+    /// Falk's splitting, if it is measured.
+    pub splitting: Option<SplittingPlan>,
     /// Fixed quadrature depth in place of the graded one at singular points (a control's defect).
     pub fixed_quadrature: bool,
     /// Remarks of the reader's interest, e.g. a dropped tail.

@@ -29,6 +29,9 @@ pub fn text(case: &Case, layer: &Layer<'_>, claim: &Claim) -> String {
     lines.put("claim", format!("{} {:?} {}", claim.id, claim.kind, claim.norm));
     lines.put("gates", format!("{:?} {:?} {}", case.gates, case.bounds, case.expected_is_asymptotic));
     lines.put("fixed quadrature", case.fixed_quadrature.to_string());
+    if let Some(splitting) = &case.splitting {
+        lines.put("splitting", format!("{splitting:?}"));
+    }
     lines.put("expect", format!("{:?} {}", case.expect, case.inconclusive_at_quick.is_some()));
     lines.0
 }

@@ -12,7 +12,7 @@ use std::ops::Range;
 use toml::Spanned;
 
 /// What else than an error norm a claim of a study's own may judge.
-const CONSTANTS: [&str; 4] = ["b_over_h2", "ledger", "constant", "solution_h1"];
+const CONSTANTS: [&str; 5] = ["b_over_h2", "ledger", "splitting", "constant", "solution_h1"];
 
 /// The study's claim: one of the catalogue or its own.
 pub fn claim(raw: &RawStudy) -> Result<Claim, Fault> {

@@ -10,6 +10,7 @@ mod bilateral;
 mod boundary;
 mod canonical;
 mod curve;
+mod degenerate;
 mod discretisation;
 mod error;
 mod exact;
@@ -29,6 +30,7 @@ mod resolve;
 mod shape;
 mod shipped;
 mod slide;
+mod splitting;
 #[cfg(test)]
 mod tests;
 mod traces;

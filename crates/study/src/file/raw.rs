@@ -4,6 +4,7 @@
 
 use super::fixed::Fixed;
 use super::number::{Finite, NumberOrText, OrNone};
+use super::splitting::RawSplitting;
 use crate::record::ClaimKind;
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -40,6 +41,7 @@ pub struct RawStudy {
     pub levels: Option<RawLevels>,
     pub reference: Option<Spanned<RawReference>>,
     pub solver: Option<RawSolver>,
+    pub splitting: Option<Spanned<RawSplitting>>,
     pub gates: Option<Spanned<RawGates>>,
     pub expected: Option<Spanned<RawExpected>>,
     #[serde(default)]
@@ -66,6 +68,7 @@ pub struct RawCase {
     pub levels: Option<RawLevels>,
     pub reference: Option<Spanned<RawReference>>,
     pub solver: Option<RawSolver>,
+    pub splitting: Option<Spanned<RawSplitting>>,
     pub gates: Option<Spanned<RawGates>>,
     pub expected: Option<Spanned<RawExpected>>,
 }
@@ -359,6 +362,15 @@ pub struct RawFamily {
     pub coarse: Option<Spanned<CoarseName>>,
     pub towards: Option<Spanned<RawPoint>>,
     pub strength: Option<Spanned<Finite>>,
+    pub direction: Option<Spanned<usize>>,
+    pub triangles: Option<Spanned<TrianglesName>>,
+}
+
+#[derive(Clone, Copy, Deserialize, PartialEq)]
+#[serde(rename_all = "kebab-case")]
+pub enum TrianglesName {
+    Right,
+    Obtuse,
 }
 
 #[derive(Clone, Copy, Deserialize, PartialEq)]
@@ -378,6 +390,7 @@ pub enum FamilyName {
     Refined,
     Delaunay,
     Graded,
+    Degenerate,
 }
 
 #[derive(Default, Deserialize)]

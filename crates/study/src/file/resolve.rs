@@ -6,7 +6,9 @@ use super::error::{Fault, refuse};
 use super::field::{INSIDE, vector_field};
 use super::layer::Layer;
 use super::raw::{Expect, RawBody, RawStudy};
-use super::{bilateral, boundary, discretisation, exact, formula, judge, lemma, material, plan, shape, slide, words};
+use super::{
+    bilateral, boundary, discretisation, exact, formula, judge, lemma, material, plan, shape, slide, splitting, words,
+};
 use crate::claim::Claim;
 use crate::lemma::Lemma;
 use crate::record::Outcome;
@@ -89,6 +91,7 @@ fn case(name: &Spanned<String>, layer: Layer<'_>, claim: &Claim) -> Result<Case,
         gates.ceiling = None;
     }
     let (bounds, expected_is_asymptotic) = judge::bounds(&claim.bounds, layer.expected)?;
+    let splitting = splitting::splitting(layer.splitting, claim, &subject, &reference, is_located, place.clone())?;
     let mut case = Case {
         name: name.get_ref().clone(),
         notes: notes(&layer, &subject, &reference, is_located),
@@ -103,6 +106,7 @@ fn case(name: &Spanned<String>, layer: Layer<'_>, claim: &Claim) -> Result<Case,
         expected_is_asymptotic,
         expect: layer.expect.map(outcome),
         inconclusive_at_quick: layer.inconclusive_at_quick.cloned(),
+        splitting,
         fixed_quadrature,
         canonical: String::new(),
         parameters: BTreeMap::new(),

@@ -16,6 +16,7 @@
 
 pub mod agreement;
 pub mod bounded;
+mod chain;
 pub mod convergence;
 pub mod doubt;
 pub mod exact;
@@ -23,6 +24,7 @@ mod exclude;
 pub mod inequality;
 mod ledger;
 pub mod rate;
+pub mod splitting;
 mod status;
 
 pub use exclude::exclude_levels;
@@ -62,6 +64,20 @@ pub fn judge(input: &JudgeInput) -> Verdict {
     if !doubts.is_empty() {
         return inconclusive(doubts);
     }
+    doubted_by_energies(input, by_kind(input))
+}
+
+/// A chain of energies that is broken fails a claim on the energy and casts doubt on any other that would pass.
+fn doubted_by_energies(input: &JudgeInput, verdict: Verdict) -> Verdict {
+    let mut reasons = chain::broken(input);
+    if reasons.is_empty() || verdict.outcome == Outcome::Fail {
+        return verdict;
+    }
+    reasons.extend(verdict.reasons);
+    if input.norm == "energy_gap" { fail(reasons) } else { inconclusive(reasons) }
+}
+
+fn by_kind(input: &JudgeInput) -> Verdict {
     match input.kind {
         ClaimKind::Rate => rate::judge(input),
         ClaimKind::Inequality => inequality::judge(input),

@@ -42,6 +42,7 @@ fn every_field_is_documented() {
         "[levels]",
         "[reference]",
         "[solver]",
+        "[splitting]",
         "[gates]",
         "[expected]",
         "[[case]]",
