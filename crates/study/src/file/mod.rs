@@ -11,6 +11,7 @@ mod canonical;
 mod curve;
 mod discretisation;
 mod error;
+mod expected;
 mod exact;
 mod field;
 mod fixed;

@@ -3,7 +3,8 @@
 use super::{Profile, verify_exact};
 use crate::error::RunError;
 use crate::family;
-use crate::record::Level;
+use super::corners::corners_of;
+use crate::record::{Corner, Level};
 use crate::study::{Case, Scene, Subject};
 use signorini_contact::problem::Problem;
 
@@ -43,6 +44,14 @@ pub fn check_case(case: &Case, profile: Profile) -> Result<Vec<CheckedLevel>, Ru
     };
     verify_exact(case, scene)?;
     (0..cells.len()).map(|index| check_level(case, scene, cells, index)).collect()
+}
+
+/// The corners of a case with their exponents; nothing is solved, so no state governs.
+///
+/// # Errors
+/// As [`check_case`].
+pub fn check_corners(case: &Case, profile: Profile) -> Result<Vec<Corner>, RunError> {
+    corners_of(case, if profile == Profile::Quick { &case.quick } else { &case.full }, None)
 }
 
 fn checked(level: Level) -> CheckedLevel {

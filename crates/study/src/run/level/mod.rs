@@ -7,6 +7,7 @@ mod defects;
 #[cfg(test)]
 mod located_tests;
 mod parts;
+mod projection;
 #[cfg(test)]
 mod tests;
 
@@ -70,7 +71,8 @@ impl Task<'_> {
         let supports = self.scene.supports();
         let problem = self.problem(mesh, &supports, &cubature);
         let zone = with_normals((self.constrain)(mesh), mesh, &self.scene.discretisation);
-        let discrete = problem.discretise_zone(fine.load.clone(), zone)?;
+        let load = if self.case.projects { fine.projection_load() } else { fine.load.clone() };
+        let discrete = problem.discretise_zone(load, zone)?;
         watch.lap(|t| &mut t.assembly);
         let solved = self.solve(&problem, discrete, &mut watch);
         let measured = ExactMeasurement {
@@ -86,6 +88,9 @@ impl Task<'_> {
         let contact = contact::against_exact(exact, mesh, &solved.state, &cubature);
         let mut level = self.level(index, &meshed, &solved);
         measured.fill(&mut level, &contact);
+        if self.case.projects {
+            projection::of_exact(&mut level, fine.solution.energy);
+        }
         watch.lap(|t| &mut t.error);
         Ok((level, watch.finish()))
     }
@@ -107,13 +112,20 @@ impl Task<'_> {
         let fine = cubature.finer();
         let problem = self.problem(mesh, &supports, &fine);
         let coarse_load = assembly::loads(mesh, &supports, self.scene, &cubature)?;
-        let discrete = problem.discretise()?;
+        let projected = at.filter(|_| self.case.projects);
+        let discrete = match projected {
+            Some(at) => problem.discretise_with(reference.projection_load(&self.scene.materials, at))?,
+            None => problem.discretise()?,
+        };
         watch.lap(|t| &mut t.assembly);
         let solved = self.solve(&problem, discrete, &mut watch);
         let mut level = self.level(index, &meshed, &solved);
         match at {
             Some(at) => self.fill_from_overkill(&mut level, reference, at, mesh, &solved, &coarse_load),
             None => self.fill_from_located(&mut level, reference, mesh, &solved, &coarse_load),
+        }
+        if projected.is_some() {
+            projection::of_discrete(&mut level, reference.solution.strain_energy);
         }
         watch.lap(|t| &mut t.error);
         Ok((level, watch.finish()))
