@@ -94,6 +94,8 @@ pub(crate) fn record(study: &str, case: &str, levels: Vec<Level>) -> StudyRecord
         expected_inconclusive: None,
         notes: Vec::new(),
         zone: None,
+        corners: Vec::new(),
+        extrapolation: None,
     }
 }
 

@@ -58,6 +58,10 @@ pub struct Case {
     pub bounds: Bounds,
     /// Whether a rate above the expected one is reported and not gated.
     pub expected_is_asymptotic: bool,
+    /// Whether the expected rate is that of the scene's corners, filled in by the run.
+    pub expected_from_corners: bool,
+    /// Whether the levels project the reference onto `K_h` in the energy norm, in place of solving the scene's own problem.
+    pub projects: bool,
     /// Numbers that define the case, for the record.
     pub parameters: BTreeMap<String, f64>,
     /// What a control expects.

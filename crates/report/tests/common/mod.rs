@@ -160,6 +160,8 @@ pub fn blank(levels: Vec<Level>) -> StudyRecord {
         expected_inconclusive: None,
         notes: vec!["the mesh is symmetric".into()],
         zone: None,
+        corners: Vec::new(),
+        extrapolation: None,
     }
 }
 

@@ -25,6 +25,12 @@ pub fn text(case: &Case, layer: &Layer<'_>, claim: &Claim) -> String {
     lines.put("family", format!("{:?}", case.family));
     lines.put("levels", format!("{:?} {:?}", case.quick, case.full));
     lines.put("reference", format!("{:?}", case.reference));
+    if case.projects {
+        lines.put("project", "true");
+    }
+    if case.expected_from_corners {
+        lines.put("expected", "from the corners");
+    }
     lines.put("solver", solver(&case.solver));
     lines.put("claim", format!("{} {:?} {}", claim.id, claim.kind, claim.norm));
     lines.put("gates", format!("{:?} {:?} {}", case.gates, case.bounds, case.expected_is_asymptotic));

@@ -14,6 +14,7 @@ mod degenerate;
 mod discretisation;
 mod error;
 mod exact;
+mod expected;
 mod field;
 mod fixed;
 mod formula;

@@ -107,6 +107,22 @@ pub fn reference(
     }
 }
 
+/// Whether the levels project the reference onto `K_h` instead of solving the scene's own problem.
+pub fn projects(raw: Option<&Spanned<RawReference>>, is_located: bool) -> Result<bool, Fault> {
+    let Some((kind, project)) = raw.and_then(|r| Some((r.get_ref().kind, r.get_ref().project.as_ref()?))) else {
+        return Ok(false);
+    };
+    let is_ready = kind == ReferenceName::Exact || kind == ReferenceName::Overkill && !is_located;
+    match *project.get_ref() {
+        true if !is_ready => refuse(
+            project.span(),
+            "`project` of a reference that is neither exact nor nested above the levels",
+            "give an exact solution, or straight bodies and a nested family",
+        ),
+        given => Ok(given),
+    }
+}
+
 fn cells(raw: Option<&Spanned<usize>>, default: usize) -> Result<usize, Fault> {
     let Some(raw) = raw else { return Ok(default) };
     in_range(*raw.get_ref(), raw.span())

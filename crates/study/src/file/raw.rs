@@ -2,6 +2,7 @@
 //!
 //! No `flatten` and no `untagged`: both lose line and column and let misspelt keys pass.
 
+use super::expected::ExpectedRate;
 use super::fixed::Fixed;
 use super::number::{Finite, NumberOrText, OrNone};
 use super::splitting::RawSplitting;
@@ -406,6 +407,7 @@ pub struct RawReference {
     pub kind: ReferenceName,
     pub quick: Option<Spanned<usize>>,
     pub full: Option<Spanned<usize>>,
+    pub project: Option<Spanned<bool>>,
 }
 
 #[derive(Clone, Copy, Deserialize, PartialEq)]
@@ -450,7 +452,7 @@ pub struct RawGates {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct RawExpected {
-    pub rate: Option<OrNone>,
+    pub rate: Option<ExpectedRate>,
     pub paper: Option<OrNone>,
     pub today: Option<OrNone>,
     #[serde(default)]

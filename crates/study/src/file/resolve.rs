@@ -92,6 +92,8 @@ fn case(name: &Spanned<String>, layer: Layer<'_>, claim: &Claim) -> Result<Case,
     }
     let (bounds, expected_is_asymptotic) = judge::bounds(&claim.bounds, layer.expected)?;
     let splitting = splitting::splitting(layer.splitting, claim, &subject, &reference, is_located, place.clone())?;
+    let expected_from_corners = judge::expects_corners(layer.expected, &subject)?;
+    let projects = plan::projects(layer.reference, is_located)?;
     let mut case = Case {
         name: name.get_ref().clone(),
         notes: notes(&layer, &subject, &reference, is_located),
@@ -104,6 +106,8 @@ fn case(name: &Spanned<String>, layer: Layer<'_>, claim: &Claim) -> Result<Case,
         gates,
         bounds,
         expected_is_asymptotic,
+        expected_from_corners,
+        projects,
         expect: layer.expect.map(outcome),
         inconclusive_at_quick: layer.inconclusive_at_quick.cloned(),
         splitting,

@@ -215,6 +215,14 @@ impl Integrals {
         self.contact.iter().map(|side| side.work(v)).sum()
     }
 
+    /// `A(u, φ_i) = f(φ_i) + ∫_{Γ_K} T_n [φ_i]_n ds`, or across a gap `∫ T_ξ (φ''_iξ − φ'_iξ) dη`, for the nodes that `Γ_u` leaves
+    /// free: the load whose solution is the projection of `u`.
+    pub fn projection_load(&self) -> Vec<Vec2> {
+        let mut load = self.load.clone();
+        self.contact.iter().for_each(|side| side.add_to(&mut load));
+        load
+    }
+
     /// `∫_{Γ_u} τ(u)n·(v − u) ds`.
     pub fn reaction_work(&self, v: &[Vec2]) -> f64 {
         let on = |(nodes, ends, work): &([u32; 3], [Vec2; 3], f64)| {

@@ -10,6 +10,7 @@ mod inside;
 #[cfg(test)]
 mod located_tests;
 mod parts;
+mod projection;
 mod splitting;
 #[cfg(test)]
 mod tests;
@@ -75,7 +76,8 @@ impl Task<'_> {
         let cubature = self.scene.cubature(1, fixed);
         let supports = self.scene.supports();
         let problem = self.problem(mesh, &supports, &cubature);
-        let discrete = self.scene.discretise(&problem, fine.load.clone(), (self.constrain)(mesh))?;
+        let load = if self.case.projects { fine.projection_load() } else { fine.load.clone() };
+        let discrete = self.scene.discretise(&problem, load, (self.constrain)(mesh))?;
         watch.lap(|t| &mut t.assembly);
         let solved = self.solve(&problem, discrete, &mut watch);
         let measured = ExactMeasurement {
@@ -93,6 +95,9 @@ impl Task<'_> {
         let squares = measured.fill(&mut level, &contact);
         if let Some(splitting) = self.splitting(&meshed, &solved, &level) {
             level.splitting = splitting.against_exact(&pair, &interpolant, squares)?;
+        }
+        if self.case.projects {
+            projection::of_exact(&mut level, fine.solution.energy);
         }
         watch.lap(|t| &mut t.error);
         Ok((level, watch.finish()))
@@ -115,7 +120,14 @@ impl Task<'_> {
         let fine = cubature.finer();
         let problem = self.problem(mesh, &supports, &fine);
         let coarse_load = assembly::loads(mesh, &supports, self.scene, &cubature)?;
-        let discrete = self.discretise(&problem)?;
+        let projected = at.filter(|_| self.case.projects);
+        let discrete = match projected {
+            Some(at) => {
+                let load = reference.projection_load(&self.scene.materials, at);
+                self.scene.discretise(&problem, load, Zone::new(mesh))?
+            }
+            None => self.discretise(&problem)?,
+        };
         watch.lap(|t| &mut t.assembly);
         let solved = self.solve(&problem, discrete, &mut watch);
         let mut level = self.level(index, &meshed, &solved);
@@ -127,6 +139,9 @@ impl Task<'_> {
                 }
             }
             None => self.fill_from_located(&mut level, reference, mesh, &solved, &coarse_load),
+        }
+        if projected.is_some() {
+            projection::of_discrete(&mut level, reference.solution.strain_energy);
         }
         watch.lap(|t| &mut t.error);
         Ok((level, watch.finish()))
