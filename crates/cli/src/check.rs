@@ -3,7 +3,8 @@
 use crate::args::CheckArgs;
 use crate::failure::Failure;
 use crate::run::{load, profile};
-use signorini_study::run::{CheckedLevel, check_case};
+use signorini_study::record::Corner;
+use signorini_study::run::{CheckedLevel, check_case, check_corners};
 
 /// Prints what each case would do, level by level.
 pub fn check(args: &CheckArgs) -> Result<u8, Failure> {
@@ -15,6 +16,9 @@ pub fn check(args: &CheckArgs) -> Result<u8, Failure> {
                 .map_err(|e| Failure::of_run(&study, &e.in_case(&study, case)))?;
             sayln!("  {}: {} family, {} levels", case.name, case.family_name(), levels.len());
             levels.iter().for_each(print_level);
+            let corners = check_corners(case, profile(args.profile))
+                .map_err(|e| Failure::of_run(&study, &e.in_case(&study, case)))?;
+            corners.iter().for_each(print_corner);
         }
     }
     sayln!("sound: everything but the solve was tried");
@@ -37,4 +41,9 @@ fn print_level(l: &CheckedLevel) {
         }
     );
     l.warnings.iter().for_each(|w| sayln!("      warning: {w}"));
+}
+
+fn print_corner(corner: &Corner) {
+    let [x, y] = corner.point;
+    sayln!("    corner ({x:.4}, {y:.4}): {}; exponent {}", corner.describe(), corner.describe_states());
 }

@@ -32,6 +32,11 @@ pub(crate) fn measured<'a>(key: &str, heading: &str, cell: impl Fn(&Level) -> Ce
     Measured { column: Column::new(key, heading), cell: Box::new(move |_, level| cell(level)) }
 }
 
+/// The same with a cell that depends on the position of the level too.
+pub(crate) fn measured_at<'a>(key: &str, heading: &str, cell: impl Fn(usize, &Level) -> Cell + 'a) -> Measured<'a> {
+    Measured { column: Column::new(key, heading), cell: Box::new(cell) }
+}
+
 /// Everything measured, one row per level: the table of CSV and JSON.
 pub fn all(record: &StudyRecord) -> Table {
     let mut columns = size_columns();

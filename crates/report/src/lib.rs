@@ -20,7 +20,9 @@
 //! Reading order: [`table`] (the one table model) · [`norm`] (what can be tabulated) · [`levels`], [`ledger`] (the tables
 //! of a case) · [`markdown`] (its page) · [`plot`] (its pictures) · [`verdict`], [`summary`] (all cases together), [`statements`] (the paper, statement by statement).
 
+pub mod corner;
 pub mod error;
+pub mod extrapolation;
 pub mod format;
 pub mod formula;
 pub mod ledger;
@@ -29,6 +31,7 @@ pub mod markdown;
 pub mod norm;
 pub mod plot;
 pub mod regularity;
+mod splitting;
 pub mod statements;
 pub mod summary;
 pub mod table;

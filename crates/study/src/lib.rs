@@ -3,9 +3,11 @@
 //! A study is data (TOML), a result is data (JSON), and everything between is a pure function of the two and a seed.
 
 pub mod claim;
+pub mod corner;
 pub mod error;
 pub mod exact;
 pub mod expr;
+pub mod extrapolation;
 pub mod family;
 pub mod file;
 mod finite;
@@ -18,6 +20,7 @@ pub mod run;
 #[cfg(test)]
 mod sample;
 mod scene;
+pub mod splitting;
 pub mod store;
 pub mod study;
 pub mod verdict;

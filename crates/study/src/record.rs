@@ -7,12 +7,18 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
 mod bilateral;
+mod corner;
 mod errors;
+mod extrapolation;
 mod ledger;
+mod splitting;
 mod zone;
 pub use bilateral::BilateralRecord;
+pub use corner::{Corner, CornerState, CornerWedge, RayState, corner_rate};
 pub use errors::Errors;
+pub use extrapolation::Extrapolation;
 pub use ledger::Ledger;
+pub use splitting::{Estimate, Splitting};
 pub use zone::{ContactMeasure, FormulaValues, PressureSource, ReferencePressure, ZoneProfile};
 
 /// The version of the record's form.
@@ -76,6 +82,12 @@ pub struct StudyRecord {
     /// Pressure and gap along the contact zone on the finest level; none of a lemma, and not in records of older runs.
     #[serde(default)]
     pub zone: Option<ZoneProfile>,
+    /// The corners of a scene without exact solution and their exponents. Not in records of older runs, as the field below.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub corners: Vec<Corner>,
+    /// The energy that the levels' energies tend to, where `K_h ⊂ K` on nested meshes.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub extrapolation: Option<Extrapolation>,
 }
 
 /// Which reference the errors are measured against.
@@ -153,6 +165,12 @@ pub struct Level {
     pub errors: Errors,
     /// Ledger of the error estimate, in squares of the energy norm.
     pub ledger: Option<Ledger>,
+    /// Falk's splitting, by kinds of `v` and `v_h`, where the study measures it.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub splitting: Vec<Splitting>,
+    /// Whether `K_h ⊂ K` by construction, so that energies of nested meshes may only fall. Not in records of older runs.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub inside: Option<bool>,
     /// KKT certificate.
     pub kkt: Kkt,
     /// Shares of `errors.energy`.

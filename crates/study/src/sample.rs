@@ -39,6 +39,8 @@ pub(crate) fn level(k: usize, error: f64) -> Level {
             ..Errors::default()
         },
         ledger: None,
+        splitting: Vec::new(),
+        inside: None,
         kkt: Kkt { stationarity: 1e-15, ..Kkt::default() },
         budget: Budget {
             algebraic: Some(1e-8),
@@ -92,6 +94,8 @@ pub(crate) fn record(study: &str, case: &str, levels: Vec<Level>) -> StudyRecord
         expected_inconclusive: None,
         notes: Vec::new(),
         zone: None,
+        corners: Vec::new(),
+        extrapolation: None,
     }
 }
 

@@ -5,6 +5,7 @@ use crate::exact::Exact;
 use crate::family::Family;
 use crate::lemma::Lemma;
 use crate::record::{Bounds, FormulaValues, Outcome};
+use crate::splitting::SplittingPlan;
 use signorini_contact::element::CurvedElement;
 use signorini_contact::geometry::SharedCurve;
 use signorini_contact::problem::SlideCondition;
@@ -57,12 +58,18 @@ pub struct Case {
     pub bounds: Bounds,
     /// Whether a rate above the expected one is reported and not gated.
     pub expected_is_asymptotic: bool,
+    /// Whether the expected rate is that of the scene's corners, filled in by the run.
+    pub expected_from_corners: bool,
+    /// Whether the levels project the reference onto `K_h` in the energy norm, in place of solving the scene's own problem.
+    pub projects: bool,
     /// Numbers that define the case, for the record.
     pub parameters: BTreeMap<String, f64>,
     /// What a control expects.
     pub expect: Option<Outcome>,
     /// Why the case cannot be judged at the quick profile's sizes.
     pub inconclusive_at_quick: Option<String>,
+    /// Falk's splitting, if it is measured.
+    pub splitting: Option<SplittingPlan>,
     /// Fixed quadrature depth in place of the graded one at singular points (a control's defect).
     pub fixed_quadrature: bool,
     /// Remarks of the reader's interest, e.g. a dropped tail.

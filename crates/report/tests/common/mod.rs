@@ -160,6 +160,8 @@ pub fn blank(levels: Vec<Level>) -> StudyRecord {
         expected_inconclusive: None,
         notes: vec!["the mesh is symmetric".into()],
         zone: None,
+        corners: Vec::new(),
+        extrapolation: None,
     }
 }
 
@@ -184,6 +186,8 @@ fn level(k: usize, errors: impl Fn(f64) -> Errors) -> Level {
         mesh_hash: format!("{k:016x}"),
         errors: errors(h),
         ledger: None,
+        splitting: Vec::new(),
+        inside: None,
         kkt: Kkt { stationarity: 1.3e-14, ..Kkt::default() },
         budget: Budget { algebraic: Some(1e-9), geometry: Some(0.0), ..Budget::default() },
         solver: SolverRecord {

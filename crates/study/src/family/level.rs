@@ -187,7 +187,10 @@ impl Scene<'_> {
         let shape = &self.domain.shapes[body];
         let block = |b: &crate::study::Block| QuadBlock {
             corners: b.corners,
-            cells: b.divisions.map(|d| d.saturating_mul(n)),
+            cells: match self.family {
+                Family::Degenerate(d) => d.cells(b.divisions, n),
+                _ => b.divisions.map(|d| d.saturating_mul(n)),
+            },
             curves: b.curves.clone(),
             grading: b.grading,
         };

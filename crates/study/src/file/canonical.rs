@@ -25,10 +25,19 @@ pub fn text(case: &Case, layer: &Layer<'_>, claim: &Claim) -> String {
     lines.put("family", format!("{:?}", case.family));
     lines.put("levels", format!("{:?} {:?}", case.quick, case.full));
     lines.put("reference", format!("{:?}", case.reference));
+    if case.projects {
+        lines.put("project", "true");
+    }
+    if case.expected_from_corners {
+        lines.put("expected", "from the corners");
+    }
     lines.put("solver", solver(&case.solver));
     lines.put("claim", format!("{} {:?} {}", claim.id, claim.kind, claim.norm));
     lines.put("gates", format!("{:?} {:?} {}", case.gates, case.bounds, case.expected_is_asymptotic));
     lines.put("fixed quadrature", case.fixed_quadrature.to_string());
+    if let Some(splitting) = &case.splitting {
+        lines.put("splitting", format!("{splitting:?}"));
+    }
     lines.put("expect", format!("{:?} {}", case.expect, case.inconclusive_at_quick.is_some()));
     lines.0
 }

@@ -1,6 +1,7 @@
 //! What a case is judged by: the claim, its bounds, the gates.
 
 use super::error::{Fault, refuse};
+use super::expected::ExpectedRate;
 use super::number::{Finite, OrNone};
 use super::raw::{RawClaim, RawExpected, RawGates, RawStudy};
 use super::words::suggestion;
@@ -12,7 +13,7 @@ use std::ops::Range;
 use toml::Spanned;
 
 /// What else than an error norm a claim of a study's own may judge.
-const CONSTANTS: [&str; 4] = ["b_over_h2", "ledger", "constant", "solution_h1"];
+const CONSTANTS: [&str; 5] = ["b_over_h2", "ledger", "splitting", "constant", "solution_h1"];
 
 /// The study's claim: one of the catalogue or its own.
 pub fn claim(raw: &RawStudy) -> Result<Claim, Fault> {
@@ -78,9 +79,28 @@ pub fn bounds(claim: &Bounds, raw: Option<&Spanned<RawExpected>>) -> Result<(Bou
     let bounds = Bounds {
         paper: own(e.paper, claim.paper),
         today: own(e.today, claim.today),
-        expected: own(e.rate, claim.expected),
+        expected: match e.rate {
+            Some(ExpectedRate::Given(rate)) => rate,
+            // the run fills it in
+            Some(ExpectedRate::Corners) => None,
+            None => claim.expected,
+        },
     };
     Ok((bounds, e.asymptotic_only))
+}
+
+/// Whether the expected rate is that of the scene's corners, which the program computes itself.
+pub fn expects_corners(raw: Option<&Spanned<RawExpected>>, subject: &Subject) -> Result<bool, Fault> {
+    let Some(raw) = raw.filter(|e| e.get_ref().rate == Some(ExpectedRate::Corners)) else { return Ok(false) };
+    let next = "give the rate as a number";
+    match subject {
+        Subject::Contact(scene) if scene.exact.is_none() => Ok(true),
+        Subject::Contact(_) => {
+            let message = "rate = \"corners\" beside an exact solution, which decides its regularity itself";
+            refuse(raw.span(), message, next)
+        }
+        Subject::Lemma(_) => refuse(raw.span(), "rate = \"corners\" of a lemma, which has no corners", next),
+    }
 }
 
 /// The gates, and whether quadrature is fixed. Whatever moves a gate needs a reason; only a control plants a defect.

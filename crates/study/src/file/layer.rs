@@ -5,6 +5,7 @@ use super::raw::{
     Expect, RawBody, RawBoundary, RawCase, RawContact, RawCurve, RawDiscretisation, RawExact, RawExpected, RawFamily,
     RawFormula, RawGates, RawLemma, RawLevels, RawReference, RawSlide, RawSolver, RawStudy,
 };
+use super::splitting::RawSplitting;
 use std::collections::BTreeMap;
 use toml::Spanned;
 
@@ -26,6 +27,7 @@ pub struct Layer<'a> {
     pub levels: Option<&'a RawLevels>,
     pub reference: Option<&'a Spanned<RawReference>>,
     pub solver: Option<&'a RawSolver>,
+    pub splitting: Option<&'a Spanned<RawSplitting>>,
     pub gates: Option<&'a Spanned<RawGates>>,
     pub expected: Option<&'a Spanned<RawExpected>>,
 }
@@ -50,6 +52,7 @@ macro_rules! layer_of {
             levels: $raw.levels.as_ref(),
             reference: $raw.reference.as_ref(),
             solver: $raw.solver.as_ref(),
+            splitting: $raw.splitting.as_ref(),
             gates: $raw.gates.as_ref(),
             expected: $raw.expected.as_ref(),
         }
@@ -88,6 +91,7 @@ impl<'a> Layer<'a> {
             levels: self.levels.or(base.levels),
             reference: self.reference.or(base.reference),
             solver: self.solver.or(base.solver),
+            splitting: self.splitting.or(base.splitting),
             gates: self.gates.or(base.gates),
             expected: self.expected.or(base.expected),
         }

@@ -1,5 +1,6 @@
 //! How a case is computed: family, levels, reference, solver.
 
+use super::degenerate;
 use super::error::{Fault, refuse};
 use super::raw::{CoarseName, FamilyName, RawFamily, RawLevels, RawReference, RawSolver, ReferenceName, SolverName};
 use super::shape::point;
@@ -27,19 +28,22 @@ pub fn family(raw: Option<&Spanned<RawFamily>>) -> Result<Family, Fault> {
         FamilyName::Refined => random(raw).map(|(seed, amount)| Family::Refined { seed, amount })?,
         FamilyName::Delaunay => Family::Delaunay { seed: seed(raw)? },
         FamilyName::Graded => graded(raw)?,
+        FamilyName::Degenerate => degenerate::degenerate(raw)?,
     })
 }
 
 /// Fields that mean nothing for the family.
 fn refuse_superfluous(f: &RawFamily) -> Result<(), Fault> {
-    use FamilyName::{Delaunay, Graded, Perturbed, Refined};
+    use FamilyName::{Degenerate, Delaunay, Graded, Perturbed, Refined};
     let from_delaunay = f.coarse.as_ref().is_some_and(|c| *c.get_ref() == CoarseName::Delaunay);
     let fields = [
         ("seed", f.seed.as_ref().map(Spanned::span), [Perturbed, Refined, Delaunay, Graded].contains(&f.name)),
         ("amount", f.amount.as_ref().map(Spanned::span), [Perturbed, Refined].contains(&f.name) && !from_delaunay),
         ("coarse", f.coarse.as_ref().map(Spanned::span), f.name == Refined),
         ("towards", f.towards.as_ref().map(Spanned::span), f.name == Graded),
-        ("strength", f.strength.as_ref().map(Spanned::span), f.name == Graded),
+        ("strength", f.strength.as_ref().map(Spanned::span), [Graded, Degenerate].contains(&f.name)),
+        ("direction", f.direction.as_ref().map(Spanned::span), f.name == Degenerate),
+        ("triangles", f.triangles.as_ref().map(Spanned::span), f.name == Degenerate),
     ];
     match fields.into_iter().find_map(|(name, span, belongs)| span.filter(|_| !belongs).map(|s| (name, s))) {
         None => Ok(()),
@@ -100,6 +104,22 @@ pub fn reference(
         ReferenceName::Exact => Ok(ReferencePlan::Exact),
         ReferenceName::None => Ok(ReferencePlan::None),
         ReferenceName::Overkill => Ok(ReferencePlan::Overkill { quick: cells(quick, 256)?, full: cells(full, 1024)? }),
+    }
+}
+
+/// Whether the levels project the reference onto `K_h` instead of solving the scene's own problem.
+pub fn projects(raw: Option<&Spanned<RawReference>>, is_located: bool) -> Result<bool, Fault> {
+    let Some((kind, project)) = raw.and_then(|r| Some((r.get_ref().kind, r.get_ref().project.as_ref()?))) else {
+        return Ok(false);
+    };
+    let is_ready = kind == ReferenceName::Exact || kind == ReferenceName::Overkill && !is_located;
+    match *project.get_ref() {
+        true if !is_ready => refuse(
+            project.span(),
+            "`project` of a reference that is neither exact nor nested above the levels",
+            "give an exact solution, or straight bodies and a nested family",
+        ),
+        given => Ok(given),
     }
 }
 

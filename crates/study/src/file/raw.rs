@@ -2,8 +2,10 @@
 //!
 //! No `flatten` and no `untagged`: both lose line and column and let misspelt keys pass.
 
+use super::expected::ExpectedRate;
 use super::fixed::Fixed;
 use super::number::{Finite, NumberOrText, OrNone};
+use super::splitting::RawSplitting;
 use crate::record::ClaimKind;
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -40,6 +42,7 @@ pub struct RawStudy {
     pub levels: Option<RawLevels>,
     pub reference: Option<Spanned<RawReference>>,
     pub solver: Option<RawSolver>,
+    pub splitting: Option<Spanned<RawSplitting>>,
     pub gates: Option<Spanned<RawGates>>,
     pub expected: Option<Spanned<RawExpected>>,
     #[serde(default)]
@@ -66,6 +69,7 @@ pub struct RawCase {
     pub levels: Option<RawLevels>,
     pub reference: Option<Spanned<RawReference>>,
     pub solver: Option<RawSolver>,
+    pub splitting: Option<Spanned<RawSplitting>>,
     pub gates: Option<Spanned<RawGates>>,
     pub expected: Option<Spanned<RawExpected>>,
 }
@@ -359,6 +363,15 @@ pub struct RawFamily {
     pub coarse: Option<Spanned<CoarseName>>,
     pub towards: Option<Spanned<RawPoint>>,
     pub strength: Option<Spanned<Finite>>,
+    pub direction: Option<Spanned<usize>>,
+    pub triangles: Option<Spanned<TrianglesName>>,
+}
+
+#[derive(Clone, Copy, Deserialize, PartialEq)]
+#[serde(rename_all = "kebab-case")]
+pub enum TrianglesName {
+    Right,
+    Obtuse,
 }
 
 #[derive(Clone, Copy, Deserialize, PartialEq)]
@@ -378,6 +391,7 @@ pub enum FamilyName {
     Refined,
     Delaunay,
     Graded,
+    Degenerate,
 }
 
 #[derive(Default, Deserialize)]
@@ -393,6 +407,7 @@ pub struct RawReference {
     pub kind: ReferenceName,
     pub quick: Option<Spanned<usize>>,
     pub full: Option<Spanned<usize>>,
+    pub project: Option<Spanned<bool>>,
 }
 
 #[derive(Clone, Copy, Deserialize, PartialEq)]
@@ -437,7 +452,7 @@ pub struct RawGates {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct RawExpected {
-    pub rate: Option<OrNone>,
+    pub rate: Option<ExpectedRate>,
     pub paper: Option<OrNone>,
     pub today: Option<OrNone>,
     #[serde(default)]

@@ -6,7 +6,9 @@ use super::error::{Fault, refuse};
 use super::field::{INSIDE, vector_field};
 use super::layer::Layer;
 use super::raw::{Expect, RawBody, RawStudy};
-use super::{bilateral, boundary, discretisation, exact, formula, judge, lemma, material, plan, shape, slide, words};
+use super::{
+    bilateral, boundary, discretisation, exact, formula, judge, lemma, material, plan, shape, slide, splitting, words,
+};
 use crate::claim::Claim;
 use crate::lemma::Lemma;
 use crate::record::Outcome;
@@ -89,6 +91,9 @@ fn case(name: &Spanned<String>, layer: Layer<'_>, claim: &Claim) -> Result<Case,
         gates.ceiling = None;
     }
     let (bounds, expected_is_asymptotic) = judge::bounds(&claim.bounds, layer.expected)?;
+    let splitting = splitting::splitting(layer.splitting, claim, &subject, &reference, is_located, place.clone())?;
+    let expected_from_corners = judge::expects_corners(layer.expected, &subject)?;
+    let projects = plan::projects(layer.reference, is_located)?;
     let mut case = Case {
         name: name.get_ref().clone(),
         notes: notes(&layer, &subject, &reference, is_located),
@@ -101,8 +106,11 @@ fn case(name: &Spanned<String>, layer: Layer<'_>, claim: &Claim) -> Result<Case,
         gates,
         bounds,
         expected_is_asymptotic,
+        expected_from_corners,
+        projects,
         expect: layer.expect.map(outcome),
         inconclusive_at_quick: layer.inconclusive_at_quick.cloned(),
+        splitting,
         fixed_quadrature,
         canonical: String::new(),
         parameters: BTreeMap::new(),

@@ -174,6 +174,8 @@ fn level(index: usize, cells: usize, certificate: Certificate, errors: Errors, b
         mesh_hash: hash,
         errors,
         ledger: None,
+        splitting: Vec::new(),
+        inside: None,
         kkt: Kkt::default(),
         budget,
         solver: SolverRecord::nothing_to_solve(),

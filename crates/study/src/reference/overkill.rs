@@ -1,11 +1,11 @@
 //! A discrete reference on a finer nested mesh: the difference is piecewise linear there and integrated exactly.
 
-use signorini_contact::Vec2;
 use signorini_contact::basis::BoundOrigin;
 use signorini_contact::material::Material;
 use signorini_contact::mesh::Hierarchy;
 use signorini_contact::norm::{self, Squares};
 use signorini_contact::problem::{Discrete, Solution};
+use signorini_contact::{Vec2, assembly};
 
 /// The reference solution with the meshes below it.
 pub struct Overkill {
@@ -26,6 +26,12 @@ impl Overkill {
     /// The reference's nodal values at the nodes of a coarser level: its interpolant there.
     pub fn interpolant(&self, level: usize) -> &[Vec2] {
         &self.solution.displacement[..self.hierarchy.levels()[level].points.len()]
+    }
+
+    /// `A(u_ref, φ_i)` for the nodes of a coarser level: the load whose solution is the projection of `u_ref`.
+    pub fn projection_load(&self, materials: &[Material; 2], level: usize) -> Vec<Vec2> {
+        let forces = assembly::internal_forces(self.hierarchy.finest(), materials, &self.solution.displacement);
+        self.hierarchy.restrict(self.hierarchy.levels().len() - 1, level, &forces)
     }
 
     /// Squares of `u_ref − v` for a field on the reference mesh.

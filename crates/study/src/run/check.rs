@@ -1,9 +1,10 @@
 //! Everything but the solve: what a case would do, level by level.
 
+use super::corners::corners_of;
 use super::{Profile, refused, verify_exact};
 use crate::error::RunError;
 use crate::family;
-use crate::record::Level;
+use crate::record::{Corner, Level};
 use crate::study::{Case, Scene, Subject};
 use signorini_contact::assembly;
 use signorini_contact::problem::Problem;
@@ -48,6 +49,14 @@ pub fn check_case(case: &Case, profile: Profile) -> Result<Vec<CheckedLevel>, Ru
     let mut parted = refused::part(checked, cells)?;
     parted.solved[0].warnings.extend(parted.refused);
     Ok(parted.solved)
+}
+
+/// The corners of a case with their exponents; nothing is solved, so no state governs.
+///
+/// # Errors
+/// As [`check_case`].
+pub fn check_corners(case: &Case, profile: Profile) -> Result<Vec<Corner>, RunError> {
+    corners_of(case, if profile == Profile::Quick { &case.quick } else { &case.full }, None)
 }
 
 fn checked(level: Level) -> CheckedLevel {

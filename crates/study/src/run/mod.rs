@@ -4,8 +4,10 @@
 //! order of the file, so the records do not depend on the number of threads.
 
 mod check;
+mod conforming;
 mod contact;
 mod contact_width;
+mod corners;
 mod level;
 mod overlay;
 mod partial;
@@ -30,7 +32,8 @@ use crate::record::{Level, Reference, SCHEMA, StudyRecord};
 use crate::reference::overkill::Overkill;
 use crate::study::{Case, ReferencePlan, Scene, Study, Subject};
 use crate::verdict::{self, JudgeInput};
-pub use check::{CheckedLevel, check_case};
+pub use check::{CheckedLevel, check_case, check_corners};
+use corners::corners_of;
 use level::Task;
 use partial::Partial;
 pub use partial::tidy;
@@ -142,7 +145,7 @@ fn run_lemma(
     };
     let (levels, times) = side_by_side(cells.len(), measure)?;
     let reference = if case.reference == ReferencePlan::Exact { Reference::Exact } else { Reference::None };
-    let record = conclude(study, case, settings, levels, reference);
+    let record = conclude(study, case, settings, levels, reference)?;
     Ok(CaseRun { record, times, reference_times: None, kept: Partial::none() })
 }
 
@@ -181,7 +184,7 @@ fn run_contact(
     let refused::Parted { solved, refused } = refused::part(measured, cells)?;
     let (levels, times) = solved.into_iter().unzip();
     let reference = reference::describe(case, overkill.as_ref().map(|(o, _)| o), &task);
-    let mut record = conclude(study, case, settings, levels, reference);
+    let mut record = conclude(study, case, settings, levels, reference)?;
     record.verdict = refused::doubted(record.verdict, &refused);
     record.notes.extend(refused.into_iter().chain(level::bilateral::note(&record.levels)));
     Ok(CaseRun { record, times, reference_times: overkill.map(|(_, t)| t), kept: partial })
@@ -253,23 +256,31 @@ fn conclude(
     settings: &RunSettings,
     mut levels: Vec<Level>,
     mut reference: Reference,
-) -> StudyRecord {
+) -> Result<StudyRecord, RunError> {
     let claim = &study.claim;
-    reference::contaminate(&mut levels, &mut reference);
+    if !case.projects {
+        reference::contaminate(&mut levels, &mut reference);
+    }
     let zone = levels.last_mut().and_then(|level| level.contact.as_mut()?.profile.take());
     verdict::exclude_levels(&mut levels, &case.gates);
     let rates = rate::all(&levels, &claim.norm);
+    let corners = corners_of(case, cells_of(case, settings), zone.as_ref())?;
+    let bounds = corners::bounds(case, &corners);
     let verdict = verdict::judge(&JudgeInput {
         kind: claim.kind,
         norm: &claim.norm,
         levels: &levels,
-        bounds: &case.bounds,
+        bounds: &bounds,
         gates: &case.gates,
         expected_is_asymptotic: case.expected_is_asymptotic,
     });
+    let (verdict, extrapolation) = match conforming::is(case, cells_of(case, settings))? {
+        true => (verdict::with_doubts(verdict, verdict::rising_energies(&levels)), conforming::extrapolate(&levels)),
+        false => (verdict, None),
+    };
     let notes = notes(case, &levels);
     let quick = settings.profile == Profile::Quick;
-    StudyRecord {
+    Ok(StudyRecord {
         schema: SCHEMA,
         study: study.id.clone(),
         case: case.name.clone(),
@@ -290,13 +301,15 @@ fn conclude(
         seed: case.seed(),
         levels,
         rates,
-        bounds: case.bounds.clone(),
+        bounds,
         verdict,
         expect: case.expect,
         expected_inconclusive: case.inconclusive_at_quick.clone().filter(|_| quick),
         notes,
         zone,
-    }
+        corners,
+        extrapolation,
+    })
 }
 
 /// The case's own remarks and the warnings of its levels, repeated ones once.

@@ -16,16 +16,20 @@
 
 pub mod agreement;
 pub mod bounded;
+mod chain;
 pub mod convergence;
 pub mod doubt;
 pub mod exact;
 mod exclude;
 pub mod inequality;
 mod ledger;
+mod monotone;
 pub mod rate;
+pub mod splitting;
 mod status;
 
 pub use exclude::exclude_levels;
+pub use monotone::{rising_energies, with_doubts};
 pub use status::{BAD_INPUT, effective, exit_status, worst};
 
 use crate::record::{Bounds, ClaimKind, Level, Outcome, Verdict};
@@ -62,6 +66,20 @@ pub fn judge(input: &JudgeInput) -> Verdict {
     if !doubts.is_empty() {
         return inconclusive(doubts);
     }
+    doubted_by_energies(input, by_kind(input))
+}
+
+/// A chain of energies that is broken fails a claim on the energy and casts doubt on any other that would pass.
+fn doubted_by_energies(input: &JudgeInput, verdict: Verdict) -> Verdict {
+    let mut reasons = chain::broken(input);
+    if reasons.is_empty() || verdict.outcome == Outcome::Fail {
+        return verdict;
+    }
+    reasons.extend(verdict.reasons);
+    if input.norm == "energy_gap" { fail(reasons) } else { inconclusive(reasons) }
+}
+
+fn by_kind(input: &JudgeInput) -> Verdict {
     match input.kind {
         ClaimKind::Rate => rate::judge(input),
         ClaimKind::Inequality => inequality::judge(input),

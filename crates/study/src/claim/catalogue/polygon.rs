@@ -74,7 +74,7 @@ pub(super) const ENTRIES: &[Entry] = &[
     },
     Entry {
         id: "lemma-3-1",
-        standing: Standing::NotYet,
+        standing: Standing::Landed,
         statement: "every v ∈ K is the limit in H¹ of some v_h ∈ K_h",
         hypotheses: &["those of Theorem 3.2"],
         kind: ClaimKind::Convergence,
@@ -85,7 +85,7 @@ pub(super) const ENTRIES: &[Entry] = &[
     },
     Entry {
         id: "theorem-3-2",
-        standing: Standing::NotYet,
+        standing: Standing::Landed,
         statement: "‖u − u_h‖_1 → 0, with no regularity",
         hypotheses: &[
             "polygonal bodies, regular family",

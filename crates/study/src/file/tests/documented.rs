@@ -43,6 +43,7 @@ fn every_field_is_documented() {
         "[levels]",
         "[reference]",
         "[solver]",
+        "[splitting]",
         "[gates]",
         "[expected]",
         "[[case]]",

@@ -215,6 +215,13 @@ impl AddAssign for Element {
 }
 
 impl Element {
+    /// `A(w, φ_k e_p) = ∫τ_pq(w) ∂_q φ_k` for the three nodes.
+    pub fn forces(&self, mesh: &Mesh, material: &Material, t: usize) -> [Vec2; 3] {
+        let (g, _) = gradients(mesh.corners(t));
+        let [s11, s22, s12] = material.stress(strain(self.mean));
+        g.map(|g| Vec2::new(s11 * g.x + s12 * g.y, s12 * g.x + s22 * g.y))
+    }
+
     pub fn error(&self, mesh: &Mesh, material: &Material, t: usize, d: [Vec2; 3]) -> Squares {
         let body = mesh.body(t);
         let (g, area) = gradients(mesh.corners(t));

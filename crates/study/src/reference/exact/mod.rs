@@ -15,6 +15,7 @@ mod element;
 #[cfg(test)]
 mod tests;
 
+use crate::splitting::Forms;
 use crate::study::{ExactScene, PartCondition, Scene};
 use contact::ContactLoad;
 use curved::CurvedPart;
@@ -192,9 +193,34 @@ impl Integrals {
         })
     }
 
+    /// `A` and `f` on nodal fields and on `u`, by this quadrature: `A(u, φ_i) = A(w, φ_i) + A(u_I, φ_i)` with `w = u − u_I`.
+    pub fn forms<'a>(&self, mesh: &'a Mesh, materials: &'a [Material; 2], interpolant: &[Vec2]) -> Forms<'a> {
+        let mut stresses = assembly::internal_forces(mesh, materials, interpolant);
+        for (t, corners) in mesh.triangles.iter().enumerate() {
+            let material = &materials[mesh.body(t).index()];
+            let forces = match self.curved.get(&(t as u32)) {
+                Some(part) => part.forces(material),
+                None => self.elements[t].forces(mesh, material, t),
+            };
+            corners.iter().zip(forces).for_each(|(&i, f)| stresses[i as usize] += f);
+        }
+        let energy = self.solution.energy;
+        // L(u) = ½A(u,u) − f(u)
+        let work = 0.5 * energy - self.energy;
+        Forms { mesh, materials, loads: self.load.clone(), stresses, work, energy }
+    }
+
     /// `∫_{Γ_K} T_n [v]_n ds`, or across a gap `∫ T_ξ (v''_ξ − v'_ξ − ε) dη`, for a nodal field.
     pub fn contact_work(&self, v: &[Vec2]) -> f64 {
         self.contact.iter().map(|side| side.work(v)).sum()
+    }
+
+    /// `A(u, φ_i) = f(φ_i) + ∫_{Γ_K} T_n [φ_i]_n ds`, or across a gap `∫ T_ξ (φ''_iξ − φ'_iξ) dη`, for the nodes that `Γ_u` leaves
+    /// free: the load whose solution is the projection of `u`.
+    pub fn projection_load(&self) -> Vec<Vec2> {
+        let mut load = self.load.clone();
+        self.contact.iter().for_each(|side| side.add_to(&mut load));
+        load
     }
 
     /// `∫_{Γ_u} τ(u)n·(v − u) ds`.

@@ -9,6 +9,7 @@ use signorini_contact::mesh::Mesh;
 use signorini_contact::{Vec2, qp};
 
 impl Task<'_> {
+    /// Fills the level in and gives `A(e,e)`.
     pub(super) fn fill_from_overkill(
         &self,
         level: &mut Level,
@@ -17,7 +18,7 @@ impl Task<'_> {
         mesh: &Mesh,
         solved: &Solved,
         coarse_load: &[Vec2],
-    ) {
+    ) -> f64 {
         let materials = &self.scene.materials;
         let (discrete, solution) = (&solved.discrete, &solved.solution);
         let fine_mesh = reference.hierarchy.finest();
@@ -52,5 +53,6 @@ impl Task<'_> {
             reference: None,
             unresolved: None,
         };
+        error.energy
     }
 }

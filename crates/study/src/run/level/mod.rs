@@ -6,9 +6,12 @@ mod against_overkill;
 pub(super) mod bilateral;
 mod defects;
 mod discretise;
+mod inside;
 #[cfg(test)]
 mod located_tests;
 mod parts;
+mod projection;
+mod splitting;
 #[cfg(test)]
 mod tests;
 
@@ -22,6 +25,7 @@ use crate::reference::exact::Pair;
 use crate::reference::overkill::Overkill;
 use crate::study::{Case, ExactScene, Scene};
 use against_exact::ExactMeasurement;
+use inside::is_inside;
 use signorini_contact::mesh::Mesh;
 use signorini_contact::problem::{Discrete, Problem, Solution, Support};
 use signorini_contact::qp;
@@ -29,6 +33,7 @@ use signorini_contact::quadrature::Cubature;
 use signorini_contact::solver::{Prepared, Settings};
 use signorini_contact::zone::{Zone, side_length};
 use signorini_contact::{Vec2, assembly, norm};
+use splitting::Measured;
 
 /// A solved level: what every measurement starts from.
 struct Solved {
@@ -66,18 +71,20 @@ impl Task<'_> {
         let interpolant: Vec<Vec2> =
             mesh.points.iter().zip(&mesh.node_bodies).map(|(x, body)| exact.solution.value(*body, *x)).collect();
         let fixed = self.case.fixed_quadrature;
-        let Pair { base, fine } = Pair::new(self.scene, exact, mesh, &interpolant, fixed)?;
+        let pair = Pair::new(self.scene, exact, mesh, &interpolant, fixed)?;
+        let Pair { base, fine } = &pair;
         let cubature = self.scene.cubature(1, fixed);
         let supports = self.scene.supports();
         let problem = self.problem(mesh, &supports, &cubature);
-        let discrete = self.scene.discretise(&problem, fine.load.clone(), (self.constrain)(mesh))?;
+        let load = if self.case.projects { fine.projection_load() } else { fine.load.clone() };
+        let discrete = self.scene.discretise(&problem, load, (self.constrain)(mesh))?;
         watch.lap(|t| &mut t.assembly);
         let solved = self.solve(&problem, discrete, &mut watch);
         let measured = ExactMeasurement {
             task: self,
             mesh,
-            base: &base,
-            fine: &fine,
+            base,
+            fine,
             exact,
             cubature: &cubature,
             interpolant: &interpolant,
@@ -85,7 +92,13 @@ impl Task<'_> {
         };
         let contact = contact::against_exact(exact, mesh, &solved.state, &cubature);
         let mut level = self.level(index, &meshed, &solved);
-        measured.fill(&mut level, &contact);
+        let squares = measured.fill(&mut level, &contact);
+        if let Some(splitting) = self.splitting(&meshed, &solved, &level) {
+            level.splitting = splitting.against_exact(&pair, &interpolant, squares)?;
+        }
+        if self.case.projects {
+            projection::of_exact(&mut level, fine.solution.energy);
+        }
         watch.lap(|t| &mut t.error);
         Ok((level, watch.finish()))
     }
@@ -107,13 +120,28 @@ impl Task<'_> {
         let fine = cubature.finer();
         let problem = self.problem(mesh, &supports, &fine);
         let coarse_load = assembly::loads(mesh, &supports, self.scene, &cubature)?;
-        let discrete = self.discretise(&problem)?;
+        let projected = at.filter(|_| self.case.projects);
+        let discrete = match projected {
+            Some(at) => {
+                let load = reference.projection_load(&self.scene.materials, at);
+                self.scene.discretise(&problem, load, Zone::new(mesh))?
+            }
+            None => self.discretise(&problem)?,
+        };
         watch.lap(|t| &mut t.assembly);
         let solved = self.solve(&problem, discrete, &mut watch);
         let mut level = self.level(index, &meshed, &solved);
         match at {
-            Some(at) => self.fill_from_overkill(&mut level, reference, at, mesh, &solved, &coarse_load),
+            Some(at) => {
+                let square = self.fill_from_overkill(&mut level, reference, at, mesh, &solved, &coarse_load);
+                if let Some(splitting) = self.splitting(&meshed, &solved, &level) {
+                    level.splitting = splitting.against_overkill(reference, at, square)?;
+                }
+            }
             None => self.fill_from_located(&mut level, reference, mesh, &solved, &coarse_load),
+        }
+        if projected.is_some() {
+            projection::of_discrete(&mut level, reference.solution.strain_energy);
         }
         watch.lap(|t| &mut t.error);
         Ok((level, watch.finish()))
@@ -189,6 +217,12 @@ impl Task<'_> {
         }
     }
 
+    /// What the splitting is measured with, if the case wants it.
+    fn splitting<'b>(&'b self, meshed: &'b MeshLevel, solved: &'b Solved, level: &Level) -> Option<Measured<'b>> {
+        let inside = level.inside == Some(true);
+        Some(Measured { task: self, plan: self.case.splitting?, hierarchy: &meshed.hierarchy, solved, inside })
+    }
+
     /// The part of a record that needs no reference.
     fn level(&self, index: usize, meshed: &MeshLevel, solved: &Solved) -> Level {
         let Solved { discrete, solution, state } = solved;
@@ -218,6 +252,8 @@ impl Task<'_> {
             mesh_hash: meshed.hash.clone(),
             errors,
             ledger: None,
+            splitting: Vec::new(),
+            inside: Some(is_inside(self.scene, finest)),
             kkt: certificate(discrete, solution),
             budget: Budget::default(),
             solver: self.solver_record(solution),
