@@ -8,7 +8,7 @@ use crate::mesh::Mesh;
 use crate::qp::BoundQp;
 use crate::quadrature::Cubature;
 use crate::solver::{self, QpSolution};
-use crate::zone::Zone;
+use crate::zone::{ContactPair, Zone};
 use crate::{Error, assembly, norm, rigid};
 
 /// Two bodies in contact, discretised on a mesh.
@@ -70,6 +70,7 @@ impl Problem<'_> {
     /// be pairs of this mesh, each with one or two constraints, and its sides the mesh's contact sides.
     pub fn discretise_zone(&self, load: Vec<Vec2>, zone: Zone) -> Result<Discrete, Error> {
         self.refuse_non_finite(&load)?;
+        self.refuse_bad_gaps(&zone)?;
         self.mesh.check_curved()?;
         let nodes = self.node_supports()?;
         let mut basis = Basis::new(&nodes);
@@ -111,15 +112,38 @@ impl Problem<'_> {
         }
     }
 
+    fn refuse_bad_gaps(&self, zone: &Zone) -> Result<(), Error> {
+        let gap_of = |pair: &ContactPair| pair.constraints.iter().map(|c| c.gap).find(|g| !g.is_finite());
+        match zone.pairs.iter().find_map(|p| Some((p.first, gap_of(p)?))) {
+            None => Ok(()),
+            Some((node, gap)) => Err(Error::Load(format!(
+                "the initial gap at ({}, {}) is {gap}, which is no length; check its expression there",
+                self.mesh.points[node as usize].x, self.mesh.points[node as usize].y
+            ))),
+        }
+    }
+
+    /// Differences of prescribed displacements below this are rounding: of the data, or of the coordinates they are computed
+    /// from.
+    fn rounding_of_data(&self) -> f64 {
+        let mut largest = 0.0_f64;
+        self.each_side_end(Support::Fixed, |node, _, part| {
+            largest = largest.max(self.data.displacement(part, self.mesh.points[node]).norm());
+        });
+        let extent = self.mesh.points.iter().map(|x| x.norm()).fold(0.0, f64::max);
+        1e-10 * largest + 1e-14 * extent
+    }
+
     /// What each node may do, from the parts that its sides belong to.
     fn node_supports(&self) -> Result<Vec<NodeSupport>, Error> {
         let mut nodes = vec![NodeSupport::unsupported(); self.mesh.points.len()];
         self.each_side_end(Support::Sliding, |node, normal, _| slide(&mut nodes[node], normal));
         let mut fixed = vec![false; nodes.len()];
         let mut clash = None;
+        let rounding = self.rounding_of_data();
         self.each_side_end(Support::Fixed, |node, _, part| {
             let offset = self.data.displacement(part, self.mesh.points[node]);
-            if fixed[node] && (offset - nodes[node].offset).norm() > 1e-10 * (1.0 + offset.norm()) {
+            if fixed[node] && (offset - nodes[node].offset).norm() > rounding {
                 clash.get_or_insert((node, offset, nodes[node].offset));
             }
             (nodes[node], fixed[node]) = (NodeSupport { free: Vec::new(), offset }, true);

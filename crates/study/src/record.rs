@@ -8,9 +8,13 @@ use std::collections::BTreeMap;
 
 mod errors;
 mod ledger;
+mod refusal;
+mod second;
 mod zone;
 pub use errors::Errors;
 pub use ledger::Ledger;
+pub use refusal::Refusal;
+pub use second::SecondOpinion;
 pub use zone::{ContactMeasure, FormulaValues, PressureSource, ReferencePressure, ZoneProfile};
 
 /// The version of the record's form.
@@ -74,6 +78,9 @@ pub struct StudyRecord {
     /// Pressure and gap along the contact zone on the finest level; none of a lemma, and not in records of older runs.
     #[serde(default)]
     pub zone: Option<ZoneProfile>,
+    /// Of a case that was to be refused: it has no levels.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub refusal: Option<Refusal>,
 }
 
 /// Which reference the errors are measured against.
@@ -171,6 +178,9 @@ pub struct Level {
     /// Force, width and pressure of the contact; none of a lemma, and not in records of older runs.
     #[serde(default)]
     pub contact: Option<ContactMeasure>,
+    /// What another solver says, where the study asks one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub second: Option<SecondOpinion>,
 }
 
 /// Scaled residuals of the optimality conditions (no units), recomputed from the raw data.
@@ -178,6 +188,9 @@ pub struct Level {
 pub struct Kkt {
     /// `‖f−Kx−λ‖_∞ / (‖K‖_∞‖x‖_∞ + ‖f‖_∞)`.
     pub stationarity: f64,
+    /// The same row by row, `max_i |f−Kx−λ|_i / (|K||x| + |f|)_i`; recorded where a second solver is asked.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub componentwise: Option<f64>,
     /// `max(x_c−g)_+ / max|u|`.
     pub penetration: f64,
     /// `max(−λ)_+ / max|λ|`.
@@ -293,6 +306,8 @@ pub enum ClaimKind {
     Bounded,
     /// The difference from a formula is small on the finest level.
     Agreement,
+    /// Every solve ends solved, certified, and as another solver ends it.
+    Certificate,
 }
 
 /// Pass, fail or inconclusive. Ordered from best to worst, so the worst of several is their maximum.

@@ -60,6 +60,7 @@ pub(crate) fn level(k: usize, error: f64) -> Level {
         solution_h1: None,
         solution_trace: Some(1.0),
         contact: None,
+        second: None,
     }
 }
 
@@ -92,6 +93,7 @@ pub(crate) fn record(study: &str, case: &str, levels: Vec<Level>) -> StudyRecord
         expected_inconclusive: None,
         notes: Vec::new(),
         zone: None,
+        refusal: None,
     }
 }
 

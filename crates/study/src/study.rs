@@ -6,7 +6,7 @@ use crate::family::Family;
 use crate::lemma::Lemma;
 use crate::record::{Bounds, FormulaValues, Outcome};
 use signorini_contact::element::CurvedElement;
-use signorini_contact::geometry::SharedCurve;
+use signorini_contact::geometry::{InitialGap, SharedCurve};
 use signorini_contact::{Body, ContactLine, Material, Path, Point, Vec2, mesh, solver};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -50,6 +50,8 @@ pub struct Case {
     pub reference: ReferencePlan,
     /// Solver settings.
     pub solver: solver::Settings,
+    /// Who is asked for a second opinion on every level.
+    pub second: Option<solver::Method>,
     /// How sharply to judge.
     pub gates: Gates,
     /// The three bounds, with the case's own in place of the claim's where it states them.
@@ -60,6 +62,8 @@ pub struct Case {
     pub parameters: BTreeMap<String, f64>,
     /// What a control expects.
     pub expect: Option<Outcome>,
+    /// Whether the scene has no solution and the case passes by being refused.
+    pub refused: bool,
     /// Why the case cannot be judged at the quick profile's sizes.
     pub inconclusive_at_quick: Option<String>,
     /// Fixed quadrature depth in place of the graded one at singular points (a control's defect).
@@ -168,6 +172,8 @@ pub struct Scene {
     pub parts: Vec<Part>,
     /// The contact zone.
     pub contact: ContactLine,
+    /// The initial distance of the bodies along a straight common zone; none where they just touch.
+    pub initial_gap: Option<InitialGap>,
     /// How curved sides and the contact zone are discretised.
     pub discretisation: Discretisation,
     /// Body forces given by expressions; `None`: zero, or from the exact solution if there is one.

@@ -34,7 +34,7 @@ fn constraint_rows(pair: &ContactPair, supports: [&NodeSupport; 2]) -> Result<(V
         let row = jump_row(c.normal, supports);
         let upper = c.gap - c.normal.dot(&fixed_jump);
         if row.norm() < NO_ROW {
-            refuse_inadmissible(c, upper, fixed_jump.norm())?;
+            refuse_inadmissible(c, upper, supports.map(|s| s.offset.norm()).iter().sum())?;
         } else if is_independent(&rows, &row) {
             bounds.push((rows.len(), upper, k));
             rows.push(row);
@@ -119,8 +119,9 @@ fn is_independent(rows: &[DVector<f64>], row: &DVector<f64>) -> bool {
     true
 }
 
+/// `size` is that of the prescribed displacements: their difference is the gap only to rounding.
 fn refuse_inadmissible(c: &Constraint, upper: f64, size: f64) -> Result<(), Error> {
-    if upper >= -1e-12 * (1.0 + size) {
+    if upper >= -1e-12 * (c.gap.abs() + size) {
         return Ok(());
     }
     Err(Error::Boundary(format!(

@@ -19,6 +19,9 @@ pub struct CertificateScales {
 pub struct Certificate {
     /// `‖f − Kx − λ‖_∞ / (‖K‖_∞‖x‖_∞ + ‖f‖_∞)`.
     pub stationarity: f64,
+    /// The same row by row, `max_i |f−Kx−λ|_i / (|K||x| + |f|)_i`: soft bodies beside hard ones, and small loads beside large
+    /// ones, count as much as the others.
+    pub componentwise: f64,
     /// `max(x_c − g)_+ / max|u|`.
     pub penetration: f64,
     /// `max(−λ)_+ / max|λ|`.
@@ -43,6 +46,7 @@ pub fn certify(qp: &BoundQp, x: &[f64], multipliers: &[f64], scales: &Certificat
     let products = pairs().map(|(multiplier, slack)| (multiplier * slack).abs());
     Certificate {
         stationarity: stationarity(qp, x, multipliers),
+        componentwise: componentwise(qp, x, multipliers),
         penetration: ratio(largest_deficit(&slack), scales.displacement),
         tension: ratio(largest_deficit(multipliers), max_multiplier),
         complementarity: ratio(products.sum(), scales.energy),
@@ -52,12 +56,37 @@ pub fn certify(qp: &BoundQp, x: &[f64], multipliers: &[f64], scales: &Certificat
     }
 }
 
-/// `‖f − Kx − λ‖_∞ / (‖K‖_∞‖x‖_∞ + ‖f‖_∞)`.
-fn stationarity(qp: &BoundQp, x: &[f64], multipliers: &[f64]) -> f64 {
+/// `f − Kx − λ`.
+fn imbalance(qp: &BoundQp, x: &[f64], multipliers: &[f64]) -> Vec<f64> {
     let mut rest = residual(qp, x);
     for (bound, multiplier) in qp.bounds.iter().zip(multipliers) {
         rest[bound.dof as usize] -= multiplier;
     }
+    rest
+}
+
+/// `max_i |f − Kx − λ|_i / (|K||x| + |f|)_i`: the smallest relative change of the entries of `K` and `f` that makes `x, λ`
+/// stationary (W. Oettli, W. Prager, 1964).
+fn componentwise(qp: &BoundQp, x: &[f64], multipliers: &[f64]) -> f64 {
+    let rest = imbalance(qp, x, multipliers);
+    let mut ratios = vec![0.0; rest.len()];
+    for i in 0..qp.matrix.rows() {
+        let mut size = [qp.load[2 * i].abs(), qp.load[2 * i + 1].abs()];
+        for (j, b) in qp.matrix.row(i) {
+            let (x0, x1) = (x[2 * j].abs(), x[2 * j + 1].abs());
+            size[0] += b[0].abs() * x0 + b[1].abs() * x1;
+            size[1] += b[2].abs() * x0 + b[3].abs() * x1;
+        }
+        for k in 0..2 {
+            ratios[2 * i + k] = ratio(rest[2 * i + k].abs(), size[k]);
+        }
+    }
+    largest(&ratios)
+}
+
+/// `‖f − Kx − λ‖_∞ / (‖K‖_∞‖x‖_∞ + ‖f‖_∞)`.
+fn stationarity(qp: &BoundQp, x: &[f64], multipliers: &[f64]) -> f64 {
+    let rest = imbalance(qp, x, multipliers);
     let scale = qp.matrix.norm_inf() * largest(x) + largest(&qp.load);
     ratio(largest(&rest), scale)
 }

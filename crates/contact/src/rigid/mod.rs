@@ -16,11 +16,16 @@ use crate::mesh::{Body, Mesh};
 use crate::zone::Zone;
 use nalgebra::{DMatrix, DVector, Matrix6, SymmetricEigen, Vector6};
 
-/// `|f(y)|` below this times `Σ|load|` counts as zero, for `max |y| = 1`.
+/// `|f(y)|` below this times `Σ |f_i| |y_i|` counts as zero: the loads that the motion meets, each with its arm. Loads on a body
+/// that does not move do not blur the balance of one that does.
 const BALANCED: f64 = 1e-10;
 
 /// Eigenvalues below this share of the largest belong to the null space.
 const NULL: f64 = 1e-12;
+
+/// Motions that open the zone by less than this, of length 1, leave it closed: as for normals, see
+/// [`SAME_NORMAL`](crate::zone::SAME_NORMAL).
+const CLOSED: f64 = crate::zone::SAME_NORMAL;
 
 /// What the supports and the contact leave free.
 #[derive(Clone, Debug, Default)]
@@ -91,7 +96,7 @@ pub fn balance(mesh: &Mesh, supports: &[NodeSupport], zone: &Zone, load: &[Vec2]
     }
     let contact = contact_rows(mesh, zone, &frame);
     let (kernel, one_sided) = split(&free, &contact);
-    let judge = Judge { mesh, frame: &frame, load, size: load.iter().map(|f| f.norm()).sum() };
+    let judge = Judge { mesh, frame: &frame, load };
     for y in &kernel {
         judge.demand_equilibrium(y)?;
     }
@@ -110,7 +115,6 @@ struct Judge<'a> {
     mesh: &'a Mesh,
     frame: &'a Frame,
     load: &'a [Vec2],
-    size: f64,
 }
 
 impl Judge<'_> {
@@ -122,26 +126,28 @@ impl Judge<'_> {
         field.into_iter().map(|y| y / largest).collect()
     }
 
-    /// `f(y)` for the motion scaled to `max |y| = 1`.
-    fn work(&self, q: &Vector6<f64>) -> f64 {
-        self.load.iter().zip(self.field(q)).map(|(f, y)| f.dot(&y)).sum()
+    /// `f(y)` for the motion scaled to `max |y| = 1`, and what counts as zero for it.
+    fn work(&self, q: &Vector6<f64>) -> (f64, f64) {
+        let field = self.field(q);
+        let terms = || self.load.iter().zip(&field);
+        let size: f64 = terms().map(|(f, y)| f.norm() * y.norm()).sum();
+        (terms().map(|(f, y)| f.dot(y)).sum(), BALANCED * size)
     }
 
     fn demand_equilibrium(&self, y: &Vector6<f64>) -> Result<(), Error> {
-        let work = self.work(y);
-        if work.abs() <= BALANCED * self.size {
+        let (work, tolerance) = self.work(y);
+        if work.abs() <= tolerance {
             return Ok(());
         }
         Err(Error::Solvability(format!(
             "no equilibrium: the {} meets no resistance in either direction, but the load works on it with resultant {work:.6e} \
-             (must vanish within {:.1e}); balance the load or support the body",
-            self.frame.describe(y),
-            BALANCED * self.size
+             (must vanish within {tolerance:.1e}); balance the load or support the body",
+            self.frame.describe(y)
         )))
     }
 
     fn demand_pressing(&self, ray: &Vector6<f64>) -> Result<(), Error> {
-        let (work, tolerance) = (self.work(ray), BALANCED * self.size);
+        let (work, tolerance) = self.work(ray);
         if work < -tolerance {
             return Ok(());
         }
@@ -208,14 +214,16 @@ fn contact_rows(mesh: &Mesh, zone: &Zone, frame: &Frame) -> Vec<Vector6<f64>> {
 
 /// Splits the span of `free` into the motions that leave the zone closed and an orthonormal complement.
 fn split(free: &[Vector6<f64>], contact: &[Vector6<f64>]) -> (Vec<Vector6<f64>>, Vec<Vector6<f64>>) {
-    let rows = DMatrix::from_fn(contact.len(), free.len(), |i, j| contact[i].dot(&free[j]));
-    let eigen = SymmetricEigen::new(rows.transpose() * rows);
-    let largest = eigen.eigenvalues.max();
+    // Square at least, so that the decomposition spans the whole of `free`. Squared, a wedge of 1e-6 would be lost in rounding.
+    let height = contact.len().max(free.len());
+    let row = |i: usize, j: usize| contact.get(i).map_or(0.0, |r| r.dot(&free[j]));
+    let svd = DMatrix::from_fn(height, free.len(), row).svd(false, true);
+    let directions = svd.v_t.expect("the right singular vectors were asked for").transpose();
     let combine = |c: DVector<f64>| (0..free.len()).fold(Vector6::zeros(), |q, j| q + c[j] * free[j]);
     let mut parts = (Vec::new(), Vec::new());
-    for (i, &value) in eigen.eigenvalues.iter().enumerate() {
-        let motion = combine(eigen.eigenvectors.column(i).into_owned());
-        if value <= NULL * largest.max(1.0) { parts.0.push(motion) } else { parts.1.push(motion) }
+    for (i, &value) in svd.singular_values.iter().enumerate() {
+        let motion = combine(directions.column(i).into_owned());
+        if value <= CLOSED { parts.0.push(motion) } else { parts.1.push(motion) }
     }
     parts
 }

@@ -10,7 +10,7 @@ use super::dense::DenseQp;
 use super::kernel::{anchors, impose_conditions};
 use super::monotone::{Monotone, monotone};
 use super::schur::Condensation;
-use super::{QpSolution, Settings, Status};
+use super::{Method, QpSolution, Settings, Status};
 use crate::qp::{BoundQp, largest, residual};
 
 /// Corrections by the residual after the first solve, at most.
@@ -47,7 +47,10 @@ impl<'a> Condensed<'a> {
         let Some(Parts { condensation, dense, held }) = self.parts else {
             return answer;
         };
-        let (status, solution) = solve_dense(&dense, settings, &mut answer.history);
+        let (status, solution) = match settings.method {
+            Method::Monotone => solve_monotone(&dense, &mut answer.history),
+            _ => solve_dense(&dense, settings, &mut answer.history),
+        };
         answer.iterations = answer.history.len();
         if let Some(solution) = solution {
             let expansion = Expansion { qp: self.qp, condensation, dense, solution, held };
@@ -107,6 +110,15 @@ fn solve_dense(dense: &DenseQp, settings: &Settings, history: &mut Vec<usize>) -
             let steps = history.len();
             (Status::IterationLimit { steps }, Some(solution))
         }
+        Monotone::Unbounded => (Status::NotPositiveDefinite, None),
+    }
+}
+
+/// The monotone method from the bounds themselves, its own start.
+fn solve_monotone(dense: &DenseQp, history: &mut Vec<usize>) -> (Status, Option<DenseSolution>) {
+    match monotone(dense, &dense.upper, history) {
+        Monotone::Solved(solution) => (Status::Converged { steps: solution.steps }, Some(solution)),
+        Monotone::StepLimit(solution) => (Status::IterationLimit { steps: solution.steps }, Some(solution)),
         Monotone::Unbounded => (Status::NotPositiveDefinite, None),
     }
 }

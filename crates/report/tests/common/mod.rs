@@ -160,6 +160,7 @@ pub fn blank(levels: Vec<Level>) -> StudyRecord {
         expected_inconclusive: None,
         notes: vec!["the mesh is symmetric".into()],
         zone: None,
+        refusal: None,
     }
 }
 
@@ -199,6 +200,7 @@ fn level(k: usize, errors: impl Fn(f64) -> Errors) -> Level {
         solution_h1: None,
         solution_trace: Some(1.0),
         contact: None,
+        second: None,
     }
 }
 

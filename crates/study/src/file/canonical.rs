@@ -25,6 +25,12 @@ pub fn text(case: &Case, layer: &Layer<'_>, claim: &Claim) -> String {
     lines.put("levels", format!("{:?} {:?}", case.quick, case.full));
     lines.put("reference", format!("{:?}", case.reference));
     lines.put("solver", format!("{:?}", case.solver));
+    if let Some(second) = case.second {
+        lines.put("second opinion", second.name());
+    }
+    if case.refused {
+        lines.put("refused", "true");
+    }
     lines.put("claim", format!("{} {:?} {}", claim.id, claim.kind, claim.norm));
     lines.put("gates", format!("{:?} {:?} {}", case.gates, case.bounds, case.expected_is_asymptotic));
     lines.put("fixed quadrature", case.fixed_quadrature.to_string());
@@ -38,6 +44,9 @@ fn contact(lines: &mut Lines, scene: &Scene, layer: &Layer<'_>) {
         lines.put("part", format!("{:?} {} {}", part.body, part.along.describe(), condition(raw)));
     }
     lines.put("contact", scene.contact.describe());
+    if let Some(gap) = layer.contact.and_then(|c| c.initial_gap.as_ref()) {
+        lines.put("initial gap", format!("{:?}", gap.get_ref()));
+    }
     if scene.symmetric {
         lines.put("symmetric", "true");
     }

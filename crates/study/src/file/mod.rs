@@ -15,6 +15,7 @@ mod exact;
 mod field;
 mod fixed;
 mod formula;
+mod initial_gap;
 mod judge;
 mod layer;
 mod lemma;

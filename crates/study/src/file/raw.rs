@@ -73,6 +73,7 @@ pub struct RawCase {
 pub enum Expect {
     Fail,
     Inconclusive,
+    Refused,
 }
 
 #[derive(Deserialize)]
@@ -165,6 +166,7 @@ pub struct RawContact {
     pub curves: Vec<Spanned<String>>,
     pub gap: Option<Spanned<Fixed<Spanned<String>, 2>>>,
     pub direction: Option<Spanned<RawPoint>>,
+    pub initial_gap: Option<Spanned<String>>,
     #[serde(default)]
     pub symmetric: bool,
 }
@@ -399,12 +401,14 @@ pub struct RawSolver {
     pub tolerance: Option<Spanned<Finite>>,
     pub crossover: Option<bool>,
     pub max_steps: Option<Spanned<usize>>,
+    pub second: Option<Spanned<SolverName>>,
 }
 
 #[derive(Clone, Copy, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum SolverName {
     Condensed,
+    Monotone,
     InteriorPoint,
 }
 

@@ -6,7 +6,7 @@ use super::error::{Fault, refuse};
 use super::field::{INSIDE, vector_field};
 use super::layer::Layer;
 use super::raw::{Expect, RawBody, RawStudy};
-use super::{boundary, discretisation, exact, formula, judge, lemma, material, plan, shape, words};
+use super::{boundary, discretisation, exact, formula, initial_gap, judge, lemma, material, plan, shape, words};
 use crate::claim::Claim;
 use crate::lemma::Lemma;
 use crate::record::Outcome;
@@ -60,7 +60,8 @@ fn cases(raw: &RawStudy, claim: &Claim) -> Result<Vec<Case>, Fault> {
 
 fn case(name: &Spanned<String>, layer: Layer<'_>, claim: &Claim) -> Result<Case, Fault> {
     let place = name.span();
-    let control = layer.expect.is_some();
+    let refused = matches!(layer.expect, Some(Expect::Refused));
+    let control = layer.expect.is_some() && !refused;
     let subject = subject(&layer, &place, control)?;
     let lemma = match &subject {
         Subject::Lemma(lemma) => Some(lemma),
@@ -98,10 +99,12 @@ fn case(name: &Spanned<String>, layer: Layer<'_>, claim: &Claim) -> Result<Case,
         full,
         reference,
         solver: plan::solver(layer.solver)?,
+        second: plan::second(layer.solver)?,
         gates,
         bounds,
         expected_is_asymptotic,
-        expect: layer.expect.map(outcome),
+        expect: layer.expect.and_then(outcome),
+        refused,
         inconclusive_at_quick: layer.inconclusive_at_quick.cloned(),
         fixed_quadrature,
         canonical: String::new(),
@@ -112,10 +115,12 @@ fn case(name: &Spanned<String>, layer: Layer<'_>, claim: &Claim) -> Result<Case,
     Ok(case)
 }
 
-fn outcome(expect: Expect) -> Outcome {
+/// A refusal is no verdict on what was measured: see [`Case::refused`].
+fn outcome(expect: Expect) -> Option<Outcome> {
     match expect {
-        Expect::Fail => Outcome::Fail,
-        Expect::Inconclusive => Outcome::Inconclusive,
+        Expect::Fail => Some(Outcome::Fail),
+        Expect::Inconclusive => Some(Outcome::Inconclusive),
+        Expect::Refused => None,
     }
 }
 
@@ -165,12 +170,14 @@ fn scene(layer: &Layer<'_>, place: &Range<usize>, control: bool) -> Result<Scene
     };
     let force = |body: &RawBody| body.force.as_ref().map(|f| vector_field(f, &INSIDE, p)).transpose();
     let symmetric = contact.symmetric;
+    let raw_contact = contact;
     let contact = boundary::contact(contact, &bodies, &curves, place.clone())?;
     Ok(Scene {
         formula: layer.formula.map(|f| formula::formula(f, &contact, p)).transpose()?,
         symmetric,
         parts: boundary::parts(layer.boundary.unwrap_or_default(), &bodies, &curves, p)?,
         discretisation: discretisation::discretisation(layer.discretisation, &contact)?,
+        initial_gap: initial_gap::initial_gap(raw_contact, &contact, layer.exact.map(Spanned::get_ref), p)?,
         contact,
         body_force: [force(a)?, force(b)?],
         exact: layer

@@ -36,14 +36,27 @@ impl Overkill {
     /// `A(u_ref, w) − f(w) = −Σ λ_c w_c` for `w = v − u_ref`: the reference's own residual, which stands for the exact
     /// contact stress.
     pub fn contact_work(&self, v: &[Vec2]) -> f64 {
-        let jump = |k: usize| {
-            let origin = &self.discrete.origins[k];
-            let pair = &self.discrete.zone.pairs[origin.pair];
-            let normal = pair.constraints[origin.constraint].normal;
-            let of = |field: &[Vec2]| normal.dot(&(field[pair.first as usize] - field[pair.second as usize]));
-            of(v) - of(&self.solution.displacement)
-        };
+        let jump = |k: usize| self.jump(k, v) - self.jump(k, &self.solution.displacement);
         let forces = &self.solution.raw.multipliers;
         -(0..forces.len()).map(|k| forces[k] * jump(k)).sum::<f64>()
+    }
+
+    /// `Σ λ_c (v_c − g_c)_+`: the reference's contact forces on what a field penetrates between its own nodes. With it
+    /// `½A(e,e) ≤ a + b + c` where `K_h ⊄ K_ref`, as (3.45) has it across a gap; zero where the constraint sets are nested.
+    pub fn penetration_work(&self, v: &[Vec2]) -> f64 {
+        let gap = |k: usize| {
+            let origin = &self.discrete.origins[k];
+            self.discrete.zone.pairs[origin.pair].constraints[origin.constraint].gap
+        };
+        let forces = &self.solution.raw.multipliers;
+        (0..forces.len()).map(|k| forces[k] * (self.jump(k, v) - gap(k)).max(0.0)).sum()
+    }
+
+    /// `n·(v' − v'')` at the reference's constraint `k`.
+    fn jump(&self, k: usize, field: &[Vec2]) -> f64 {
+        let origin = &self.discrete.origins[k];
+        let pair = &self.discrete.zone.pairs[origin.pair];
+        let normal = pair.constraints[origin.constraint].normal;
+        normal.dot(&(field[pair.first as usize] - field[pair.second as usize]))
     }
 }

@@ -11,6 +11,7 @@ mod overlay;
 mod partial;
 mod profile;
 mod reference;
+mod refusal;
 #[cfg(test)]
 mod tests;
 pub mod timing;
@@ -26,7 +27,9 @@ use crate::record::{Level, Reference, SCHEMA, StudyRecord};
 use crate::reference::overkill::Overkill;
 use crate::study::{Case, ReferencePlan, Scene, Study, Subject};
 use crate::verdict::{self, JudgeInput};
+use check::check_level as level_without_solve;
 pub use check::{CheckedLevel, check_case};
+pub use refusal::check_refusal;
 use level::Task;
 use partial::Partial;
 pub use partial::tidy;
@@ -115,6 +118,7 @@ pub fn each_case<T: Send>(
 /// Meaningless input: an exact solution that breaks its contact conditions, a load without equilibrium, …
 pub fn run_case(study: &Study, case: &Case, settings: &RunSettings, watch: &dyn Watch) -> Result<CaseRun, RunError> {
     match &case.subject {
+        Subject::Contact(scene) if case.refused => refusal::run_refused(study, case, scene, settings),
         Subject::Contact(scene) => run_contact(study, case, scene, settings, watch),
         Subject::Lemma(lemma) => run_lemma(study, case, lemma, settings, watch),
     }
@@ -287,6 +291,7 @@ fn conclude(
         expected_inconclusive: case.inconclusive_at_quick.clone().filter(|_| quick),
         notes,
         zone,
+        refusal: None,
     }
 }
 

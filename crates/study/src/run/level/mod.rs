@@ -7,6 +7,7 @@ mod defects;
 #[cfg(test)]
 mod located_tests;
 mod parts;
+mod second;
 #[cfg(test)]
 mod tests;
 
@@ -187,6 +188,9 @@ impl Task<'_> {
     fn level(&self, index: usize, meshed: &MeshLevel, solved: &Solved) -> Level {
         let Solved { discrete, solution, state } = solved;
         let finest = meshed.hierarchy.finest();
+        let second = self.second_opinion(finest, solved);
+        let mut kkt = certificate(discrete, solution);
+        kkt.componentwise = kkt.componentwise.filter(|_| second.is_some());
         let with_profile = index + 1 == self.cells.len();
         let contact = profile::measure(self.scene, finest, discrete, solution, state, with_profile);
         let mut errors = Errors { penetration_l2: Some(state.penetration()), ..Default::default() };
@@ -212,12 +216,13 @@ impl Task<'_> {
             mesh_hash: meshed.hash.clone(),
             errors,
             ledger: None,
-            kkt: certificate(discrete, solution),
+            kkt,
             budget: Budget::default(),
             solver: self.solver_record(solution),
             warnings: discrete.warnings.clone(),
             excluded: None,
             contact: Some(contact),
+            second,
         }
     }
 }
@@ -231,6 +236,7 @@ pub(super) fn certificate(discrete: &Discrete, solution: &Solution) -> Kkt {
     let c = qp::certify(&discrete.qp, &solution.raw.x, &solution.raw.multipliers, &scales);
     Kkt {
         stationarity: c.stationarity,
+        componentwise: Some(c.componentwise),
         penetration: c.penetration,
         tension: c.tension,
         complementarity: c.complementarity,
