@@ -3,8 +3,8 @@
 use crate::args::CheckArgs;
 use crate::failure::Failure;
 use crate::run::{load, profile};
-use signorini_study::run::Profile;
 use signorini_study::error::RunError;
+use signorini_study::run::Profile;
 use signorini_study::run::{CheckedLevel, check_case, check_refusal};
 use signorini_study::study::{Case, Study};
 

@@ -5,7 +5,7 @@ pub use crate::data::{Data, Support, Unloaded};
 use crate::geometry::{Vec2, cross, tangent_of};
 use crate::material::Material;
 use crate::mesh::Mesh;
-use crate::qp::BoundQp;
+use crate::qp::{self, BoundQp};
 use crate::quadrature::Cubature;
 use crate::solver::{self, QpSolution};
 use crate::zone::{ContactPair, Zone};
@@ -83,13 +83,14 @@ impl Problem<'_> {
         let matrix = assembly::stiffness(self.mesh, &self.materials, &basis);
         let reaction = assembly::internal_forces(self.mesh, &self.materials, &basis.offset);
         let net: Vec<Vec2> = load.iter().zip(&reaction).map(|(f, r)| f - r).collect();
-        let qp = BoundQp {
+        let mut qp = BoundQp {
             matrix,
             load: basis.force(&net),
             bounds: tied.iter().map(|(bound, _)| *bound).collect(),
             kernel: balance.kernel.iter().map(|y| basis.coordinates(y)).collect(),
             conditions: balance.kernel.iter().map(|y| mean_condition(self.mesh, &basis, y)).collect(),
         };
+        qp::remove_imbalance(&mut qp);
         let warnings = zone.warnings.iter().cloned().chain(balance.remarks).collect();
         Ok(Discrete { basis, zone, qp, origins: tied.into_iter().map(|(_, o)| o).collect(), load, warnings })
     }

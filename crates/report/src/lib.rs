@@ -23,6 +23,7 @@
 pub mod error;
 pub mod format;
 pub mod formula;
+pub mod hard;
 pub mod ledger;
 pub mod levels;
 pub mod markdown;
@@ -77,14 +78,16 @@ pub fn render(record: &StudyRecord, dir: &Path) -> Result<Vec<PathBuf>, ReportEr
     Ok(folder.written)
 }
 
-/// Writes `summary.md` and `summary.json` (one row per case, in the order of `records`) into `dir`. Returns the files
-/// written.
+/// Writes `summary.md`, `hard.md` where there are hard cases, and `summary.json` (one row per case, in the order of `records`)
+/// into `dir`. Returns the files written.
 ///
 /// # Errors
 /// [`ReportError`] if a file cannot be written or a number is not finite.
 pub fn render_summary(records: &[StudyRecord], dir: &Path) -> Result<Vec<PathBuf>, ReportError> {
     let mut folder = Folder::new(dir);
     folder.write("summary.md", summary_markdown(records).as_bytes())?;
+    let hard = hard::page(records);
+    folder.write_or_remove("hard.md", hard.as_deref().map(str::as_bytes))?;
     folder.written.push(write_summary(dir, records)?);
     Ok(folder.written)
 }

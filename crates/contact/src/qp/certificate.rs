@@ -1,6 +1,6 @@
 //! The KKT certificate: how far `x, λ` are from optimal, recomputed from the raw data. No solver grades itself.
 
-use super::{BoundQp, largest, residual};
+use super::{BoundQp, backward_error, largest, residual};
 
 /// A multiplier or a slack below this share of the largest counts as zero.
 const WEAK: f64 = 1e-8;
@@ -46,7 +46,7 @@ pub fn certify(qp: &BoundQp, x: &[f64], multipliers: &[f64], scales: &Certificat
     let products = pairs().map(|(multiplier, slack)| (multiplier * slack).abs());
     Certificate {
         stationarity: stationarity(qp, x, multipliers),
-        componentwise: componentwise(qp, x, multipliers),
+        componentwise: backward_error(qp, x, &imbalance(qp, x, multipliers)),
         penetration: ratio(largest_deficit(&slack), scales.displacement),
         tension: ratio(largest_deficit(multipliers), max_multiplier),
         complementarity: ratio(products.sum(), scales.energy),
@@ -63,25 +63,6 @@ fn imbalance(qp: &BoundQp, x: &[f64], multipliers: &[f64]) -> Vec<f64> {
         rest[bound.dof as usize] -= multiplier;
     }
     rest
-}
-
-/// `max_i |f − Kx − λ|_i / (|K||x| + |f|)_i`: the smallest relative change of the entries of `K` and `f` that makes `x, λ`
-/// stationary (W. Oettli, W. Prager, 1964).
-fn componentwise(qp: &BoundQp, x: &[f64], multipliers: &[f64]) -> f64 {
-    let rest = imbalance(qp, x, multipliers);
-    let mut ratios = vec![0.0; rest.len()];
-    for i in 0..qp.matrix.rows() {
-        let mut size = [qp.load[2 * i].abs(), qp.load[2 * i + 1].abs()];
-        for (j, b) in qp.matrix.row(i) {
-            let (x0, x1) = (x[2 * j].abs(), x[2 * j + 1].abs());
-            size[0] += b[0].abs() * x0 + b[1].abs() * x1;
-            size[1] += b[2].abs() * x0 + b[3].abs() * x1;
-        }
-        for k in 0..2 {
-            ratios[2 * i + k] = ratio(rest[2 * i + k].abs(), size[k]);
-        }
-    }
-    largest(&ratios)
 }
 
 /// `‖f − Kx − λ‖_∞ / (‖K‖_∞‖x‖_∞ + ‖f‖_∞)`.

@@ -23,9 +23,12 @@ const BALANCED: f64 = 1e-10;
 /// Eigenvalues below this share of the largest belong to the null space.
 const NULL: f64 = 1e-12;
 
-/// Motions that open the zone by less than this, of length 1, leave it closed: as for normals, see
-/// [`SAME_NORMAL`](crate::zone::SAME_NORMAL).
-const CLOSED: f64 = crate::zone::SAME_NORMAL;
+/// Motions of length 1 that open the zone by less than this leave it closed.
+const CLOSED: f64 = 1e-12;
+
+/// Motions that open the zone by less than this, but do open it, meet a resistance of the order of its square: too little to be
+/// seen beside the stiffness in double precision.
+const HELD: f64 = 1e-5;
 
 /// What the supports and the contact leave free.
 #[derive(Clone, Debug, Default)]
@@ -96,6 +99,7 @@ pub fn balance(mesh: &Mesh, supports: &[NodeSupport], zone: &Zone, load: &[Vec2]
     }
     let contact = contact_rows(mesh, zone, &frame);
     let (kernel, one_sided) = split(&free, &contact);
+    refuse_nearly_free(&frame, &one_sided, &contact)?;
     let judge = Judge { mesh, frame: &frame, load };
     for y in &kernel {
         judge.demand_equilibrium(y)?;
@@ -109,6 +113,20 @@ pub fn balance(mesh: &Mesh, supports: &[NodeSupport], zone: &Zone, load: &[Vec2]
         remarks: kernel.iter().map(remark).collect(),
         kernel: kernel.iter().map(|y| judge.field(y)).collect(),
     })
+}
+
+/// A motion that is neither free nor held.
+fn refuse_nearly_free(frame: &Frame, one_sided: &[Vector6<f64>], contact: &[Vector6<f64>]) -> Result<(), Error> {
+    let opening = |y: &Vector6<f64>| contact.iter().map(|r| r.dot(y).powi(2)).sum::<f64>().sqrt();
+    match one_sided.iter().map(|y| (y, opening(y))).find(|(_, o)| *o < HELD) {
+        None => Ok(()),
+        Some((y, opening)) => Err(Error::Solvability(format!(
+            "nearly free: the {} opens the contact zone by {opening:.1e} of itself only, too little to hold the body in double \
+             precision (below {HELD:.0e}) and too much to count as a free slide (above {CLOSED:.0e}); make the zone flat or \
+             steeper, or support the body",
+            frame.describe(y)
+        ))),
+    }
 }
 
 struct Judge<'a> {

@@ -11,7 +11,7 @@ use super::kernel::{anchors, impose_conditions};
 use super::monotone::{Monotone, monotone};
 use super::schur::Condensation;
 use super::{Method, QpSolution, Settings, Status};
-use crate::qp::{BoundQp, largest, residual};
+use crate::qp::{BoundQp, backward_error, largest, residual};
 
 /// Corrections by the residual after the first solve, at most.
 const REFINEMENTS: usize = 3;
@@ -134,21 +134,25 @@ struct Expansion<'a> {
 }
 
 impl Expansion<'_> {
-    /// The full solution, corrected as long as this reduces the residual.
+    /// The full solution, corrected as long as this reduces the residual, row by row: in the largest row alone, a soft body or a
+    /// small load would go uncorrected beside a stiff or a large one.
     fn refined(&self) -> Vec<f64> {
         let mut x = self.expand(&self.qp.load, &self.dense.load, &self.solution.x);
         self.put_on_bounds(&mut x);
         let mut rest = self.free_residual(&x);
+        let mut error = backward_error(self.qp, &x, &rest);
         for _ in 0..REFINEMENTS {
             let mut better = self.correction(&rest);
             better.iter_mut().zip(&x).for_each(|(d, x)| *d += x);
             self.put_on_bounds(&mut better);
             let next = self.free_residual(&better);
-            let (before, after) = (largest(&rest), largest(&next));
-            if after < before {
-                (x, rest) = (better, next);
+            let after = backward_error(self.qp, &better, &next);
+            let improves = after < error;
+            let worthwhile = after <= WORTHWHILE * error;
+            if improves {
+                (x, rest, error) = (better, next, after);
             }
-            if after > WORTHWHILE * before {
+            if !worthwhile {
                 break;
             }
         }

@@ -164,8 +164,8 @@ mod tests {
     fn entries_are_complete_and_name_a_quantity_that_exists() {
         for e in catalogue() {
             assert!(!e.statement.is_empty() && !e.sources.is_empty(), "{}", e.id);
-            let known =
-                Errors::NORMS.contains(&e.norm) || ["b_over_h2", "ledger", "constant", "solution_h1", "kkt"].contains(&e.norm);
+            let known = Errors::NORMS.contains(&e.norm)
+                || ["b_over_h2", "ledger", "constant", "solution_h1", "kkt"].contains(&e.norm);
             assert!(known, "{}: {}", e.id, e.norm);
             let gated = e.paper.or(e.today).is_some();
             assert!(e.kind == ClaimKind::Rate || !gated, "{}: a bound that no rule reads", e.id);

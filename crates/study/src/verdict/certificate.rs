@@ -82,7 +82,9 @@ fn disagreement(level: usize, second: &SecondOpinion) -> Vec<String> {
     let allowed = tolerance(second);
     if second.energy_difference > allowed {
         let difference = second.energy_difference;
-        found.push(format!("level {level}: the energy of {name} differs by {difference:.1e} of ½A(u,u), more than {allowed:.1e}"));
+        found.push(format!(
+            "level {level}: the energy of {name} differs by {difference:.1e} of ½A(u,u), more than {allowed:.1e}"
+        ));
     }
     if second.active_difference > 0 {
         let n = second.active_difference;
@@ -99,7 +101,7 @@ fn tolerance(second: &SecondOpinion) -> f64 {
 /// A nested level whose energy lies above the one before.
 fn rise([coarse, fine]: [&Level; 2]) -> Option<String> {
     let (second, next) = (coarse.second.as_ref()?, fine.second.as_ref()?);
-    if !(fine.nested && second.energy_falls) {
+    if !(fine.nested && second.energy_falls && coarse.solver.solved && fine.solver.solved) {
         return None;
     }
     let size = 0.5 * fine.solution_energy?.powi(2);
@@ -118,9 +120,8 @@ fn rise([coarse, fine]: [&Level; 2]) -> Option<String> {
 /// What was found, in one sentence.
 fn words(levels: &[Level]) -> String {
     let largest = |of: fn(&Level) -> f64| levels.iter().map(of).fold(0.0, f64::max);
-    let second = |of: fn(&SecondOpinion) -> f64| {
-        levels.iter().filter_map(|l| l.second.as_ref()).map(of).fold(0.0, f64::max)
-    };
+    let second =
+        |of: fn(&SecondOpinion) -> f64| levels.iter().filter_map(|l| l.second.as_ref()).map(of).fold(0.0, f64::max);
     let name = levels.iter().find_map(|l| l.second.as_ref()).map_or("", |s| s.name.as_str());
     format!(
         "solved on {} levels; stationarity at most {:.1e}, row by row {:.1e}; {name} agrees to {:.1e} in energy and {:.1e} in \

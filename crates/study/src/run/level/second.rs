@@ -5,8 +5,8 @@ use crate::record::SecondOpinion;
 use crate::study::Scene;
 use signorini_contact::mesh::Mesh;
 use signorini_contact::problem::{Data, Discrete, Solution, Support};
-use signorini_contact::sparse::BlockMatrix;
 use signorini_contact::solver::{self, Settings};
+use signorini_contact::sparse::BlockMatrix;
 
 /// A force below this share of the largest does not press, an opening below this share of the displacement is none.
 const CLEAR: f64 = 1e-8;
