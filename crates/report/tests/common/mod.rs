@@ -162,6 +162,7 @@ pub fn blank(levels: Vec<Level>) -> StudyRecord {
         zone: None,
         corners: Vec::new(),
         extrapolation: None,
+        refusal: None,
     }
 }
 
@@ -203,6 +204,7 @@ fn level(k: usize, errors: impl Fn(f64) -> Errors) -> Level {
         solution_h1: None,
         solution_trace: Some(1.0),
         contact: None,
+        second: None,
     }
 }
 

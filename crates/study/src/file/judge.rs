@@ -13,7 +13,10 @@ use std::ops::Range;
 use toml::Spanned;
 
 /// What else than an error norm a claim of a study's own may judge.
-const CONSTANTS: [&str; 5] = ["b_over_h2", "ledger", "splitting", "constant", "solution_h1"];
+const CONSTANTS: [&str; 6] = ["b_over_h2", "ledger", "splitting", "constant", "solution_h1", CERTIFICATE];
+
+/// What a claim of the kind `certificate` judges, and no other.
+const CERTIFICATE: &str = "kkt";
 
 /// The study's claim: one of the catalogue or its own.
 pub fn claim(raw: &RawStudy) -> Result<Claim, Fault> {
@@ -45,6 +48,10 @@ fn own_claim(raw: &RawClaim) -> Result<Claim, Fault> {
     let known: Vec<&str> = Errors::NORMS.into_iter().chain(CONSTANTS).chain(Errors::OF_FORMULA).collect();
     if !known.contains(&norm.as_str()) {
         return refuse(raw.norm.span(), format!("no error norm `{norm}`"), suggestion(norm, &known));
+    }
+    if (raw.kind == ClaimKind::Certificate) != (norm == CERTIFICATE) {
+        let message = format!("kind `certificate` judges `{CERTIFICATE}`, and no other kind does");
+        return refuse(raw.norm.span(), message, "let kind and norm belong together");
     }
     let of_formula = Errors::OF_FORMULA.contains(&norm.as_str());
     if raw.kind == ClaimKind::Agreement && !of_formula {
