@@ -8,9 +8,11 @@ use std::collections::BTreeMap;
 
 mod errors;
 mod ledger;
+mod log_alternative;
 mod zone;
 pub use errors::Errors;
 pub use ledger::Ledger;
+pub use log_alternative::LogAlternative;
 pub use zone::{ContactMeasure, FormulaValues, PressureSource, ReferencePressure, ZoneProfile};
 
 /// The version of the record's form.
@@ -264,6 +266,9 @@ pub struct Rate {
     pub dofs_slope: f64,
     /// Whether the pairwise rates of the window have settled; if not, the window is the last four levels.
     pub asymptotic: bool,
+    /// Fits with a logarithm, where the study calls the regularity borderline.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub log_alternatives: Vec<LogAlternative>,
 }
 
 /// What a rate is held against; `None` where there is no such bound.
