@@ -6,6 +6,7 @@ pub mod claim;
 pub mod error;
 pub mod exact;
 pub mod expr;
+pub mod falsify;
 pub mod family;
 pub mod file;
 mod finite;

@@ -19,7 +19,7 @@ pub const TRUE_SLOPE: f64 = 1.0;
 
 /// The coverage that is stated beside every fitted rate: of settled windows on [`STATED_LEVELS`] levels with
 /// [`STATED_NOISE`], where nothing but noise disturbs the power of `h`.
-pub const STATED_COVERAGE: f64 = 0.84;
+pub const STATED_COVERAGE: f64 = 0.92;
 
 /// Levels of the stated coverage: as many as most studies have.
 pub const STATED_LEVELS: usize = 5;

@@ -27,7 +27,8 @@ pub fn log_alternatives(levels: &[Level], norm: &str, rate: &Rate) -> Vec<LogAlt
 fn with_power(window: &[Point], q: f64) -> LogAlternative {
     let plain = Line::through(&logs(window, |p| p.h));
     // log e − q log|log h| = log C + p log h
-    let corrected = Line::through(&window.iter().map(|p| (p.h.ln(), p.error.ln() - q * (-p.h.ln()).ln())).collect::<Vec<_>>());
+    let corrected =
+        Line::through(&window.iter().map(|p| (p.h.ln(), p.error.ln() - q * (-p.h.ln()).ln())).collect::<Vec<_>>());
     LogAlternative {
         q,
         exponent: corrected.slope,
