@@ -56,6 +56,8 @@ pub struct Case {
     pub bounds: Bounds,
     /// Whether a rate above the expected one is reported and not gated.
     pub expected_is_asymptotic: bool,
+    /// Whether the regularity is borderline: fits with a logarithm are then reported beside the rate.
+    pub borderline: bool,
     /// Numbers that define the case, for the record.
     pub parameters: BTreeMap<String, f64>,
     /// What a control expects.

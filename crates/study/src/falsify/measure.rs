@@ -1,5 +1,6 @@
 //! One draw, run and measured.
 
+use super::draw::Draw;
 use super::size::{Size, size};
 use super::target::Target;
 use crate::error::RunError;
@@ -21,6 +22,8 @@ pub struct Measured {
     pub study: String,
     /// The scene in a few words.
     pub scene: String,
+    /// Levels that were added to it.
+    pub finer: usize,
     /// The verdict of its study; none if it was refused.
     pub outcome: Option<Outcome>,
     /// The first reason of the verdict, or why it was refused.
@@ -53,12 +56,34 @@ impl Measured {
 /// The id that a study has while it is measured.
 const ID: &str = "draw";
 
-/// Runs the study of that text.
-pub fn measure(target: Target, index: usize, scene: &str, text: &str) -> Measured {
+/// Runs the study of a draw. A rate that fails is tried again with finer levels beside the others: on coarse meshes a rate may still
+/// be rising. What a level has broken stays broken.
+pub fn measure(index: usize, draw: &Draw) -> (Draw, Measured) {
+    let study = study_hash(draw);
+    let (mut tried, mut measured) = (draw.clone(), once(index, draw));
+    while let Some(finer) = tried.finer().filter(|_| measured.is_candidate() && measured.rate.is_some()) {
+        measured = Measured { finer: measured.finer + 1, ..once(index, &finer) };
+        tried = finer;
+    }
+    (tried, Measured { study, ..measured })
+}
+
+/// The draw with as many more levels as it was measured on.
+pub fn as_measured(draw: Draw, measured: &Measured) -> Draw {
+    (0..measured.finer).fold(draw, |d, _| d.finer().unwrap_or(d))
+}
+
+/// The hash by which a result is known again.
+pub fn study_hash(draw: &Draw) -> String {
+    hash(&draw.text(ID, &[]))
+}
+
+fn once(index: usize, draw: &Draw) -> Measured {
     let mut measured = Measured {
         index,
-        study: hash(text),
-        scene: scene.into(),
+        study: String::new(),
+        scene: draw.words(),
+        finer: 0,
         outcome: None,
         reason: String::new(),
         sound: false,
@@ -70,15 +95,15 @@ pub fn measure(target: Target, index: usize, scene: &str, text: &str) -> Measure
         constant: None,
         slack: None,
     };
-    match run(text) {
-        Ok(ran) => fill(&mut measured, target, &ran),
+    match run(&draw.text(ID, &[])) {
+        Ok(ran) => fill(&mut measured, draw.target, &ran),
         Err(why) => measured.reason = why.to_string().lines().next().unwrap_or_default().into(),
     }
     measured
 }
 
 /// 16 hex digits of a study's text.
-pub fn hash(text: &str) -> String {
+fn hash(text: &str) -> String {
     format!("{:016x}", fnv1a(text.as_bytes()))
 }
 

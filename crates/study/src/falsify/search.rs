@@ -1,7 +1,7 @@
 //! Draws, measures, keeps the worst, makes it simple.
 
 use super::draw::draw;
-use super::measure::{Measured, hash, measure};
+use super::measure::{Measured, measure, study_hash};
 use super::shrink::{Aim, Shrunk, shrink};
 use super::state::State;
 use super::target::Target;
@@ -81,12 +81,11 @@ pub fn search(target: Target, plan: &Plan, done: &(dyn Fn() + Sync)) -> Result<F
 
 fn known_or_measured(target: Target, seed: u64, index: usize, state: Option<&State>) -> Result<Measured, StoreError> {
     let drawn = draw(target, seed, index);
-    let text = drawn.text("draw", &[]);
-    let known = state.and_then(|s| s.known.get(&index)).filter(|m| m.study == hash(&text));
+    let known = state.and_then(|s| s.known.get(&index)).filter(|m| m.study == study_hash(&drawn));
     if let Some(known) = known {
         return Ok(known.clone());
     }
-    let measured = measure(target, index, &drawn.words(), &text);
+    let measured = measure(index, &drawn).1;
     if let Some(state) = state {
         state.keep(&measured)?;
     }

@@ -1,7 +1,7 @@
 //! From the worst scene that was drawn to a simple one that is nearly as bad.
 
 use super::draw::{Draw, simpler};
-use super::measure::{Measured, measure};
+use super::measure::{Measured, as_measured, measure};
 
 /// In which way a draw is bad.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,7 +19,7 @@ pub const RATE_KEPT: f64 = 0.02;
 pub const CONSTANT_KEPT: f64 = 0.9;
 
 /// Scenes that are tried at most.
-const TRIALS: usize = 80;
+const TRIALS: usize = 48;
 
 impl Aim {
     /// The name of the file.
@@ -61,20 +61,21 @@ pub struct Shrunk {
 
 /// Simplifies greedily: the first simpler scene that stays nearly as bad as the worst itself takes its place, until none does.
 pub fn shrink(aim: Aim, worst: &Draw, measured: &Measured) -> Shrunk {
-    let mut best = Shrunk { draw: worst.clone(), measured: measured.clone(), steps: 0 };
+    let worst = as_measured(worst.clone(), measured);
+    let mut best = Shrunk { draw: worst, measured: measured.clone(), steps: 0 };
     let Some(figure) = aim.figure(measured) else { return best };
     let mut refused: Vec<Draw> = Vec::new();
     while refused.len() + best.steps < TRIALS {
         let untried = simpler(&best.draw).into_iter().find(|d| !refused.contains(d));
-        let Some(candidate) = untried else { break };
-        let found = measure(candidate.target, measured.index, &candidate.words(), &candidate.text("draw", &[]));
+        let Some(untried) = untried else { break };
+        let (candidate, found) = measure(measured.index, &untried);
         let bad = aim.figure(&found).is_some_and(|new| aim.keeps(new, figure));
         // what was settled, or a candidate, stays so
         let alike = found.settled >= measured.settled && found.is_candidate() >= measured.is_candidate();
         if bad && alike {
             best = Shrunk { draw: candidate, measured: found, steps: best.steps + 1 };
         } else {
-            refused.push(candidate);
+            refused.push(untried);
         }
     }
     best

@@ -1,6 +1,7 @@
 //! What is told of searches: one row for each target, and the study files that reproduce the worst.
 
 use super::draw::draw;
+use super::measure::as_measured;
 use super::search::{Found, Worst};
 use super::shrink::Aim;
 use crate::claim::catalogue;
@@ -156,7 +157,8 @@ fn write_studies(folder: &Path, found: &Found) -> Result<(), StoreError> {
     }
     for m in found.candidates().take(SAVED_CANDIDATES) {
         let id = format!("candidate-{}", m.index);
-        let text = draw(found.target, found.seed, m.index).text(&id, &[origin(found, m.index), m.reason.clone()]);
+        let drawn = as_measured(draw(found.target, found.seed, m.index), m);
+        let text = drawn.text(&id, &[origin(found, m.index), m.reason.clone()]);
         write_atomic(&folder.join(format!("{id}.toml")), text)?;
     }
     Ok(())

@@ -74,13 +74,13 @@ impl Target {
             Self::Theorem31 => rate(
                 "theorem-3-1",
                 1.0,
-                "straight zones: traces with up to five switch points, P(k, m), W, R(α) with 1.1 ≤ α < 2",
+                "straight zones: traces with up to four switch points, P(k, m), W, R(α) with 1.1 ≤ α < 2",
                 RATE_31,
             ),
             Self::Remark32a => rate(
                 "remark-3-2a",
                 1.0,
-                "straight zones: traces with up to ten switch points, periodic cells, R(α) with 1.55 ≤ α < 2",
+                "straight zones: traces with up to six switch points, periodic cells, R(α) with 1.55 ≤ α < 2",
                 "|u−u_h| / (h {‖u‖²_2 + ‖T_n‖_0 (|u'_n|_{2,Γ} + |u''_n|_{2,Γ})}^{1/2})",
             ),
             Self::Remark32b => rate(
@@ -92,13 +92,13 @@ impl Target {
             Self::Theorem33 => rate(
                 "theorem-3-3",
                 0.75,
-                "a quarter of the unit circle, strongly regular families: traces with up to three switch points, arcR(α)",
+                "a quarter of the unit circle, strongly regular families: traces with up to two switch points, arcR(α)",
                 "|u−u_h| / (h^{3/4} {‖u‖²_2 + ‖T_n‖_0 (‖u‖_2 + ‖u_h‖_1)}^{1/2})",
             ),
             Self::Theorem34 => rate(
                 "theorem-3-4",
                 1.0,
-                "two graphs with a gap, cubic polynomials: traces with up to three switch points, graphR(α)",
+                "two graphs with a gap, cubic polynomials: traces with up to two switch points, graphR(α)",
                 "|u−u_h| / (h {‖u‖²_2 + ‖T_ξ‖_∞ (|u'_ξ|_{1,∞} + |u''_ξ|_{1,∞} + |ε|_{1,∞} + |ε|_{2,∞})}^{1/2})",
             ),
             Self::Lemma21 => About {
@@ -112,7 +112,7 @@ impl Target {
             Self::ManySwitches => About {
                 id: "many-switches",
                 claim: Some("many-switches"),
-                scenes: "straight zones: traces with one to ten switch points",
+                scenes: "straight zones: traces with one to six switch points",
                 constant: "b / (h² N ‖T_n‖_∞ |[u]_n|_{1,∞}), N switch points",
                 power: None,
                 constant_bound: Some(1.0),

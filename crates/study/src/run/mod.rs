@@ -249,7 +249,10 @@ fn conclude(
     reference::contaminate(&mut levels, &mut reference);
     let zone = levels.last_mut().and_then(|level| level.contact.as_mut()?.profile.take());
     verdict::exclude_levels(&mut levels, &case.gates);
-    let rates = rate::all(&levels, &claim.norm);
+    let mut rates = rate::all(&levels, &claim.norm);
+    if let Some(rate) = rates.get_mut(&claim.norm).filter(|_| case.borderline) {
+        rate.log_alternatives = rate::log_alternatives(&levels, &claim.norm, rate);
+    }
     let verdict = verdict::judge(&JudgeInput {
         kind: claim.kind,
         norm: &claim.norm,

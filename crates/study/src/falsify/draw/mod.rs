@@ -9,9 +9,13 @@ mod traces;
 
 pub use random::draw;
 pub use simpler::simpler;
-pub use traces::{Piece, TraceDraw, Wave};
+pub use traces::TraceDraw;
+use traces::Wave;
 
 use super::target::Target;
+
+/// Cells along the zone beyond which no level is added.
+const FINEST: usize = 128;
 
 /// Young's modulus and Poisson's ratio, plane strain.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -122,6 +126,17 @@ impl Draw {
         self.laws[0].shear().min(self.laws[1].shear())
     }
 
+    /// The same scene with one more level, twice as fine as the finest; none where that would be too many cells.
+    pub fn finer(&self) -> Option<Self> {
+        let last = *self.levels.last()?;
+        let cells = match &self.place {
+            Place::Line { split: Some(_), .. } | Place::Arc | Place::Graph(_) => 2 * last,
+            _ => last,
+        };
+        let levels = self.levels.iter().copied().chain([2 * last]).collect();
+        (cells < FINEST).then(|| Self { levels, ..self.clone() })
+    }
+
     /// The scene in a few words.
     pub fn words(&self) -> String {
         let solution = match &self.solution {
@@ -145,6 +160,3 @@ impl Draw {
         format!("{solution}; μ''/μ' = {}; {mesh}", super::dice::rounded(ratio, 2))
     }
 }
-
-#[cfg(test)]
-mod tests;

@@ -33,17 +33,15 @@ fn laws(dice: &mut Dice) -> [Law; 2] {
 
 fn line(target: Target, laws: [Law; 2], dice: &mut Dice) -> Draw {
     let solution = match (target, dice.below(4)) {
-        (Target::ManySwitches, _) => Solution::Traces(TraceDraw::draw(dice, 1, 10)),
+        (Target::ManySwitches, _) => Solution::Traces(TraceDraw::draw(dice, 1, 6)),
         (Target::Remark32a, 0) => Solution::BuiltIn("many-switches", vec![("cells", dice.pick(&[1.0, 2.0, 3.0, 4.0]))]),
         (Target::Remark32a, 1) => alpha("R", 1.55, dice),
-        (Target::Remark32a, _) => Solution::Traces(TraceDraw::draw(dice, 1, 10)),
+        (Target::Remark32a, _) => Solution::Traces(TraceDraw::draw(dice, 1, 6)),
         (Target::Remark32b, 0) => tiles(dice),
-        (_, 0) => {
-            Solution::BuiltIn("P", vec![("k", dice.pick(&[3.0, 2.75, 4.0])), ("m", dice.pick(&[2.0, 1.75, 3.0]))])
-        }
+        (_, 0) => Solution::BuiltIn("P", vec![("k", dice.pick(&[3.0, 4.0])), ("m", dice.pick(&[2.0, 3.0]))]),
         (_, 1) if dice.coin() => Solution::BuiltIn("W", Vec::new()),
         (_, 1) => alpha("R", 1.1, dice),
-        _ => Solution::Traces(TraceDraw::draw(dice, 1, 5)),
+        _ => Solution::Traces(TraceDraw::draw(dice, 1, 4)),
     };
     let fits_one_place = matches!(solution, Solution::BuiltIn(..));
     let place = if fits_one_place {
@@ -61,7 +59,8 @@ fn line(target: Target, laws: [Law; 2], dice: &mut Dice) -> Draw {
     let levels = match mesh {
         Mesh::Delaunay(_) | Mesh::RefinedDelaunay(_) => vec![4, 8, 16, 32],
         _ if fine => vec![2, 4, 8, 16, 32],
-        _ => vec![4, 8, 16, 32, 64],
+        _ if fits_one_place => vec![4, 8, 16, 32, 64],
+        _ => vec![6, 12, 24, 48],
     };
     Draw { target, laws, place, solution, mesh, levels }
 }
@@ -91,7 +90,7 @@ fn arc(target: Target, laws: [Law; 2], dice: &mut Dice) -> Draw {
     let solution = match dice.below(4) {
         0 => Solution::BuiltIn("arcP", Vec::new()),
         1 => alpha("arcR", 1.1, dice),
-        _ => Solution::Traces(TraceDraw::draw(dice, 1, 3)),
+        _ => Solution::Traces(TraceDraw::draw(dice, 1, 2)),
     };
     // the families that are strongly regular with β ≤ 2 on this scene
     let (mesh, levels) = if dice.coin() {
@@ -106,7 +105,7 @@ fn graph(target: Target, laws: [Law; 2], dice: &mut Dice) -> Draw {
     let (faces, solution) = match dice.below(4) {
         0 => (Faces::Shape(dice.below(3)), Solution::BuiltIn("graphP", Vec::new())),
         1 => (Faces::Shape(dice.below(3)), alpha("graphR", 1.1, dice)),
-        _ => (cubic(dice), Solution::Traces(TraceDraw::draw(dice, 1, 3))),
+        _ => (cubic(dice), Solution::Traces(TraceDraw::draw(dice, 1, 2))),
     };
     let (mesh, levels) = match dice.below(4) {
         0 => (Mesh::RefinedDelaunay(dice.seed()), vec![4, 8, 16, 32]),

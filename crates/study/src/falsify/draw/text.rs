@@ -248,12 +248,11 @@ fn graph(out: &mut String, draw: &Draw, shape: &Faces) {
 }
 
 fn write_traces(out: &mut String, lemma: &str, lines: &TraceLines) {
-    let TraceLines { w, a, p, switches, singular } = lines;
-    let singular = if *singular { format!("singular = {switches:?}\n") } else { String::new() };
+    let TraceLines { w, a, p, switches } = lines;
     let _ = write!(
         out,
         "\n[exact.traces]\n{lemma}w = [\"{}\", \"{}\"]\na = [\"{}\", \"{}\"]\np = \"{p}\"\n\
-         switches = {switches:?}\nbreaks = {switches:?}\n{singular}",
+         switches = {switches:?}\nbreaks = {switches:?}\n",
         w[0], w[1], a[0], a[1],
     );
 }

@@ -8,6 +8,7 @@ use Outcome::{Fail, Inconclusive, Pass};
 mod doubt;
 mod kinds;
 mod rate;
+mod synthetic;
 
 const GATE_1: Bounds = Bounds { paper: Some(1.0), today: Some(1.0), expected: Some(1.0) };
 
