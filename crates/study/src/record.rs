@@ -11,6 +11,7 @@ mod corner;
 mod errors;
 mod extrapolation;
 mod ledger;
+mod log_alternative;
 mod refusal;
 mod second;
 mod splitting;
@@ -20,6 +21,7 @@ pub use corner::{Corner, CornerState, CornerWedge, RayState, corner_rate};
 pub use errors::Errors;
 pub use extrapolation::Extrapolation;
 pub use ledger::Ledger;
+pub use log_alternative::LogAlternative;
 pub use refusal::Refusal;
 pub use second::SecondOpinion;
 pub use splitting::{Estimate, Splitting};
@@ -300,6 +302,9 @@ pub struct Rate {
     pub dofs_slope: f64,
     /// Whether the pairwise rates of the window have settled; if not, the window is the last four levels.
     pub asymptotic: bool,
+    /// Fits with a logarithm, where the study calls the regularity borderline.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub log_alternatives: Vec<LogAlternative>,
 }
 
 /// What a rate is held against; `None` where there is no such bound.

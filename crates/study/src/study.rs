@@ -64,6 +64,8 @@ pub struct Case {
     pub expected_from_corners: bool,
     /// Whether the levels project the reference onto `K_h` in the energy norm, in place of solving the scene's own problem.
     pub projects: bool,
+    /// Whether the regularity is borderline: fits with a logarithm are then reported beside the rate.
+    pub borderline: bool,
     /// Numbers that define the case, for the record.
     pub parameters: BTreeMap<String, f64>,
     /// What a control expects.

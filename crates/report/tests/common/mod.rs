@@ -223,6 +223,7 @@ pub fn rate(levels: &[Level], c: f64, p: f64) -> Rate {
         curvature: 0.0007,
         dofs_slope: p,
         asymptotic: true,
+        log_alternatives: Vec::new(),
     }
 }
 

@@ -3,12 +3,14 @@
 use super::error::{Fault, refuse};
 use super::expected::ExpectedRate;
 use super::number::{Finite, OrNone};
-use super::raw::{RawClaim, RawExpected, RawGates, RawStudy};
+use super::raw::{RawClaim, RawExact, RawExpected, RawGates, RawStudy};
 use super::words::suggestion;
 use crate::claim::Claim;
 use crate::claim::catalogue::{Standing, catalogue, find};
+use crate::exact::sobolev_order;
 use crate::record::{Bounds, ClaimKind, Errors, FormulaValues};
 use crate::study::{Gates, Scene, Subject};
+use std::collections::BTreeMap;
 use std::ops::Range;
 use toml::Spanned;
 
@@ -108,6 +110,20 @@ pub fn expects_corners(raw: Option<&Spanned<RawExpected>>, subject: &Subject) ->
         }
         Subject::Lemma(_) => refuse(raw.span(), "rate = \"corners\" of a lemma, which has no corners", next),
     }
+}
+
+/// Whether the regularity is borderline, `u ∈ H^s` with `s = 2` where the rate `min(1, s − 1)` has its kink: what the study says, else
+/// what is known of its built-in solution.
+pub fn is_borderline(
+    expected: Option<&Spanned<RawExpected>>,
+    exact: Option<&Spanned<RawExact>>,
+    parameters: &BTreeMap<String, f64>,
+) -> bool {
+    let known = || {
+        let name = exact?.get_ref().builtin.as_ref()?;
+        sobolev_order(name.get_ref(), parameters).ok().flatten()
+    };
+    expected.and_then(|e| e.get_ref().borderline).unwrap_or_else(|| known() == Some(2.0))
 }
 
 /// The gates, and whether quadrature is fixed. Whatever moves a gate needs a reason; only a control plants a defect.

@@ -461,5 +461,6 @@ pub struct RawExpected {
     pub today: Option<OrNone>,
     #[serde(default)]
     pub asymptotic_only: bool,
+    pub borderline: Option<bool>,
     pub reason: Option<String>,
 }

@@ -265,7 +265,10 @@ fn conclude(
     }
     let zone = levels.last_mut().and_then(|level| level.contact.as_mut()?.profile.take());
     verdict::exclude_levels(&mut levels, &case.gates);
-    let rates = rate::all(&levels, &claim.norm);
+    let mut rates = rate::all(&levels, &claim.norm);
+    if let Some(rate) = rates.get_mut(&claim.norm).filter(|_| case.borderline) {
+        rate.log_alternatives = rate::log_alternatives(&levels, &claim.norm, rate);
+    }
     let corners = corners_of(case, cells_of(case, settings), zone.as_ref())?;
     let bounds = corners::bounds(case, &corners);
     let verdict = verdict::judge(&JudgeInput {
