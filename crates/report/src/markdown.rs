@@ -160,6 +160,7 @@ pub(crate) fn kind_words(kind: ClaimKind) -> &'static str {
         ClaimKind::Convergence => "convergence from level to level",
         ClaimKind::Bounded => "a bounded constant",
         ClaimKind::Agreement => "agreement on the finest level",
+        ClaimKind::Certificate => "a certified solve on every level, confirmed by a second solver",
     }
 }
 

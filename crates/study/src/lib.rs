@@ -8,6 +8,7 @@ pub mod error;
 pub mod exact;
 pub mod expr;
 pub mod extrapolation;
+pub mod falsify;
 pub mod family;
 pub mod file;
 mod finite;

@@ -37,12 +37,13 @@ struct Rows {
 fn constraint_rows(pair: &ContactPair, supports: [&NodeSupport; 2]) -> Result<Rows, Error> {
     let mut chosen = Rows::default();
     let fixed_jump = supports[0].offset - supports[1].offset;
+    let size = supports.map(|s| s.offset.norm()).iter().sum();
     for kind in [ConstraintKind::Bilateral, ConstraintKind::Unilateral] {
         for (k, c) in pair.constraints.iter().enumerate().filter(|(_, c)| c.kind == kind) {
             let row = jump_row(c.normal, supports);
             let value = c.gap - c.normal.dot(&fixed_jump);
             if row.norm() < NO_ROW {
-                refuse_inadmissible(c, value, fixed_jump.norm())?;
+                refuse_inadmissible(c, value, size)?;
             } else if is_independent(&chosen.rows, &row) {
                 let of_kind = if kind == ConstraintKind::Bilateral { &mut chosen.held } else { &mut chosen.bounds };
                 of_kind.push((chosen.rows.len(), value, k));
@@ -50,7 +51,7 @@ fn constraint_rows(pair: &ContactPair, supports: [&NodeSupport; 2]) -> Result<Ro
             } else if let Some(&(_, held, _)) = chosen.held.first() {
                 // n·d = ratio · n_held·d is known
                 let ratio = row.dot(&chosen.rows[0]) / chosen.rows[0].norm_squared();
-                refuse_inadmissible(c, value - ratio * held, fixed_jump.norm())?;
+                refuse_inadmissible(c, value - ratio * held, size)?;
             } else {
                 merge_bound(&chosen.rows[0], &row, value, k, &mut chosen.bounds)?;
             }
@@ -134,9 +135,10 @@ fn is_independent(rows: &[DVector<f64>], row: &DVector<f64>) -> bool {
 }
 
 /// A constraint that something else decides must hold: what is left of the gap, `slack`, may not be negative, and must
-/// vanish where the constraint is bilateral.
+/// vanish where the constraint is bilateral. `size` is that of the prescribed displacements: their difference is the gap only to
+/// rounding.
 fn refuse_inadmissible(c: &Constraint, slack: f64, size: f64) -> Result<(), Error> {
-    let rounding = 1e-12 * (1.0 + size);
+    let rounding = 1e-12 * (c.gap.abs() + size);
     if slack.abs() <= rounding || (slack > 0.0 && c.kind == ConstraintKind::Unilateral) {
         return Ok(());
     }

@@ -10,8 +10,8 @@ use super::dense::DenseQp;
 use super::kernel::{anchors, impose_conditions, start};
 use super::monotone::{Monotone, monotone};
 use super::schur::Condensation;
-use super::{QpSolution, Settings, Status};
-use crate::qp::{BoundQp, largest, residual};
+use super::{Method, QpSolution, Settings, Status};
+use crate::qp::{BoundQp, backward_error, largest, residual};
 
 /// Corrections by the residual after the first solve, at most.
 const REFINEMENTS: usize = 3;
@@ -52,7 +52,10 @@ impl<'a> Condensed<'a> {
         if settings.start_slide != 0.0 && !held.is_empty() {
             dense.load = condensation.reduced_load(&dense.matrix, &load);
         }
-        let (status, solution) = solve_dense(&dense, settings, &mut answer.history);
+        let (status, solution) = match settings.method {
+            Method::Monotone => solve_monotone(&dense, &mut answer.history),
+            _ => solve_dense(&dense, settings, &mut answer.history),
+        };
         answer.iterations = answer.history.len();
         if let Some(solution) = solution {
             let expansion = Expansion { qp: self.qp, condensation, dense, solution, held, start, load };
@@ -116,6 +119,15 @@ fn solve_dense(dense: &DenseQp, settings: &Settings, history: &mut Vec<usize>) -
     }
 }
 
+/// The monotone method from the bounds themselves, its own start.
+fn solve_monotone(dense: &DenseQp, history: &mut Vec<usize>) -> (Status, Option<DenseSolution>) {
+    match monotone(dense, &dense.upper, history) {
+        Monotone::Solved(solution) => (Status::Converged { steps: solution.steps }, Some(solution)),
+        Monotone::StepLimit(solution) => (Status::IterationLimit { steps: solution.steps }, Some(solution)),
+        Monotone::Unbounded => (Status::NotPositiveDefinite, None),
+    }
+}
+
 /// From the bounded components back to all.
 struct Expansion<'a> {
     qp: &'a BoundQp,
@@ -131,22 +143,26 @@ struct Expansion<'a> {
 }
 
 impl Expansion<'_> {
-    /// The full solution, corrected as long as this reduces the residual.
+    /// The full solution, corrected as long as this reduces the residual, row by row: in the largest row alone, a soft body or a
+    /// small load would go uncorrected beside a stiff or a large one.
     fn refined(&self) -> Vec<f64> {
         let mut x = self.expand(&self.load, &self.dense.load, &self.solution.x);
         x.iter_mut().zip(&self.start).for_each(|(x, start)| *x += start);
         self.put_on_bounds(&mut x);
         let mut rest = self.free_residual(&x);
+        let mut error = backward_error(self.qp, &x, &rest);
         for _ in 0..REFINEMENTS {
             let mut better = self.correction(&rest);
             better.iter_mut().zip(&x).for_each(|(d, x)| *d += x);
             self.put_on_bounds(&mut better);
             let next = self.free_residual(&better);
-            let (before, after) = (largest(&rest), largest(&next));
-            if after < before {
-                (x, rest) = (better, next);
+            let after = backward_error(self.qp, &better, &next);
+            let improves = after < error;
+            let worthwhile = after <= WORTHWHILE * error;
+            if improves {
+                (x, rest, error) = (better, next, after);
             }
-            if after > WORTHWHILE * before {
+            if !worthwhile {
                 break;
             }
         }

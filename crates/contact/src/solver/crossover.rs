@@ -9,6 +9,8 @@ use crate::qp::{BoundQp, largest, residual};
 const ROUNDS: usize = 20;
 /// Rounding of a multiplier relative to `‖K‖_∞‖x‖_∞ + ‖f‖_∞`, and of a slack times its stiffness.
 const ROUNDING: f64 = 1e-13;
+/// Rigid motions of two bodies, at most.
+const MOTIONS: usize = 6;
 /// Corrections of each equality solve by its residual.
 const REFINEMENTS: usize = 2;
 
@@ -19,8 +21,7 @@ pub fn crossover(qp: &BoundQp, removed: &[bool], start: &[f64], answer: &mut QpS
     let steps = answer.iterations;
     for _ in 0..ROUNDS {
         answer.history.push(active.iter().filter(|a| **a).count());
-        answer.factorizations += 1;
-        let Some(x) = equality_solve(qp, removed, start, &active) else {
+        let Some(x) = held_solve(qp, removed, start, &mut active, answer) else {
             answer.status = Status::NotPositiveDefinite;
             return None;
         };
@@ -34,6 +35,35 @@ pub fn crossover(qp: &BoundQp, removed: &[bool], start: &[f64], answer: &mut QpS
     }
     answer.status = Status::IterationLimit { steps };
     None
+}
+
+/// The equality solve; where the set leaves a motion free, with the bound that is nearest to pressing added, one for each motion.
+/// A multiplier below the interior point's tolerance may be all that holds a body.
+fn held_solve(
+    qp: &BoundQp,
+    removed: &[bool],
+    start: &[f64],
+    active: &mut [bool],
+    answer: &mut QpSolution,
+) -> Option<Vec<f64>> {
+    for _ in 0..=MOTIONS {
+        answer.factorizations += 1;
+        if let Some(x) = equality_solve(qp, removed, start, active) {
+            return Some(x);
+        }
+        active[nearest_to_pressing(qp, active, answer)?] = true;
+    }
+    None
+}
+
+/// The inactive bound with the smallest slack times stiffness less its multiplier.
+fn nearest_to_pressing(qp: &BoundQp, active: &[bool], answer: &QpSolution) -> Option<usize> {
+    let distance = |k: usize| {
+        let bound = &qp.bounds[k];
+        let dof = bound.dof as usize;
+        stiffness(qp, dof) * (bound.upper - answer.x[dof]) - answer.multipliers[k]
+    };
+    (0..qp.bounds.len()).filter(|&k| !active[k]).min_by(|&a, &b| distance(a).total_cmp(&distance(b)))
 }
 
 /// Active: the multiplier exceeds the slack times its stiffness.

@@ -40,10 +40,10 @@ enum Preparation<'a> {
 }
 
 impl<'a> Prepared<'a> {
-    /// `condensed`: the sparse factorisation and the Schur complement. `interior-point` has nothing to prepare.
+    /// `condensed`, `monotone`: the sparse factorisation and the Schur complement. `interior-point` has nothing to prepare.
     pub fn new(qp: &'a BoundQp, method: Method) -> Self {
         Self(match method {
-            Method::Condensed => Preparation::Condensed(Box::new(condensed::Condensed::new(qp))),
+            Method::Condensed | Method::Monotone => Preparation::Condensed(Box::new(condensed::Condensed::new(qp))),
             Method::InteriorPoint => Preparation::InteriorPoint(qp),
         })
     }
@@ -67,6 +67,8 @@ impl<'a> Prepared<'a> {
 pub enum Method {
     /// One sparse factorisation, then an active set on the Schur complement of the bounded components.
     Condensed,
+    /// The same condensation, but from the start the method that lowers the energy in every step.
+    Monotone,
     /// Clarabel's interior point, then crossover.
     InteriorPoint,
 }

@@ -28,7 +28,7 @@ pub const NEARLY_SAME_NORMAL: f64 = 0.05;
 pub struct Constraint {
     /// Unit normal, outward from `Ω'`.
     pub normal: Vec2,
-    /// Initial gap, zero where the bodies touch before loading.
+    /// Initial gap, zero where the bodies touch before loading, negative where they penetrate.
     pub gap: f64,
     /// Half the measure of the adjacent sides with this normal (length, or width in `η` across a gap): the lumped mass of the
     /// pressure.

@@ -162,6 +162,7 @@ pub fn blank(levels: Vec<Level>) -> StudyRecord {
         zone: None,
         corners: Vec::new(),
         extrapolation: None,
+        refusal: None,
     }
 }
 
@@ -203,6 +204,7 @@ fn level(k: usize, errors: impl Fn(f64) -> Errors) -> Level {
         solution_h1: None,
         solution_trace: Some(1.0),
         contact: None,
+        second: None,
     }
 }
 
@@ -221,6 +223,7 @@ pub fn rate(levels: &[Level], c: f64, p: f64) -> Rate {
         curvature: 0.0007,
         dofs_slope: p,
         asymptotic: true,
+        log_alternatives: Vec::new(),
     }
 }
 

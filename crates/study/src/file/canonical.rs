@@ -32,6 +32,12 @@ pub fn text(case: &Case, layer: &Layer<'_>, claim: &Claim) -> String {
         lines.put("expected", "from the corners");
     }
     lines.put("solver", solver(&case.solver));
+    if let Some(second) = case.second {
+        lines.put("second opinion", second.name());
+    }
+    if case.refused {
+        lines.put("refused", "true");
+    }
     lines.put("claim", format!("{} {:?} {}", claim.id, claim.kind, claim.norm));
     lines.put("gates", format!("{:?} {:?} {}", case.gates, case.bounds, case.expected_is_asymptotic));
     lines.put("fixed quadrature", case.fixed_quadrature.to_string());
@@ -62,6 +68,9 @@ fn contact(lines: &mut Lines, scene: &Scene, layer: &Layer<'_>) {
     }
     if let Some(slide) = &scene.slide {
         lines.put("slide", format!("{slide:?}"));
+    }
+    if let Some(gap) = layer.contact.and_then(|c| c.initial_gap.as_ref()) {
+        lines.put("initial gap", format!("{:?}", gap.get_ref()));
     }
     if scene.symmetric {
         lines.put("symmetric", "true");

@@ -18,6 +18,7 @@ mod expected;
 mod field;
 mod fixed;
 mod formula;
+mod initial_gap;
 mod judge;
 mod layer;
 mod lemma;

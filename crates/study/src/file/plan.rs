@@ -225,14 +225,31 @@ fn finer(levels: &[usize], reference: usize, span: Range<usize>) -> Result<(), F
     }
 }
 
+fn method(name: SolverName) -> Method {
+    match name {
+        SolverName::Condensed => Method::Condensed,
+        SolverName::Monotone => Method::Monotone,
+        SolverName::InteriorPoint => Method::InteriorPoint,
+    }
+}
+
+/// Who gives the second opinion; not the solver whose answer it is held against.
+pub fn second(raw: Option<&RawSolver>) -> Result<Option<Method>, Fault> {
+    let Some(second) = raw.and_then(|r| r.second.as_ref()) else { return Ok(None) };
+    let first = raw.and_then(|r| r.name).map_or(Settings::default().method, method);
+    let other = method(*second.get_ref());
+    if other == first {
+        let message = format!("`second` is {} like the first solver: it would agree with itself", other.name());
+        return refuse(second.span(), message, "choose another: condensed, monotone or interior-point");
+    }
+    Ok(Some(other))
+}
+
 /// Solver settings.
 pub fn solver(raw: Option<&RawSolver>) -> Result<Settings, Fault> {
     let mut settings = Settings::default();
     let Some(raw) = raw else { return Ok(settings) };
-    settings.method = match raw.name {
-        None | Some(SolverName::Condensed) => Method::Condensed,
-        Some(SolverName::InteriorPoint) => Method::InteriorPoint,
-    };
+    settings.method = raw.name.map_or(settings.method, method);
     if let Some(t) = &raw.tolerance {
         settings.tolerance = t.get_ref().0;
         if !(0.0 < settings.tolerance && settings.tolerance < 1.0) {

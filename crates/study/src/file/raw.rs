@@ -79,6 +79,7 @@ pub struct RawCase {
 pub enum Expect {
     Fail,
     Inconclusive,
+    Refused,
 }
 
 #[derive(Deserialize)]
@@ -171,6 +172,7 @@ pub struct RawContact {
     pub curves: Vec<Spanned<String>>,
     pub gap: Option<Spanned<Fixed<Spanned<String>, 2>>>,
     pub direction: Option<Spanned<RawPoint>>,
+    pub initial_gap: Option<Spanned<String>>,
     #[serde(default)]
     pub symmetric: bool,
     #[serde(default)]
@@ -426,12 +428,14 @@ pub struct RawSolver {
     pub crossover: Option<bool>,
     pub max_steps: Option<Spanned<usize>>,
     pub start_slide: Option<Spanned<Finite>>,
+    pub second: Option<Spanned<SolverName>>,
 }
 
 #[derive(Clone, Copy, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum SolverName {
     Condensed,
+    Monotone,
     InteriorPoint,
 }
 
@@ -457,5 +461,6 @@ pub struct RawExpected {
     pub today: Option<OrNone>,
     #[serde(default)]
     pub asymptotic_only: bool,
+    pub borderline: Option<bool>,
     pub reason: Option<String>,
 }

@@ -57,6 +57,21 @@ shipped! {
         "theorem-3-5"
         "two-squares"
     ;
+    Hard "hard/":
+        "hard-angles"
+        "hard-balance"
+        "hard-contrast"
+        "hard-gaps"
+        "hard-grazing"
+        "hard-groove"
+        "hard-incompressible"
+        "hard-million"
+        "hard-slender"
+        "hard-smallest"
+        "hard-switches"
+        "hard-units"
+        "hard-whisper"
+    ;
     Controls "controls/":
         "averaged-normals"
         "chord-normals"

@@ -73,7 +73,7 @@ fn checked(level: Level) -> CheckedLevel {
     }
 }
 
-fn check_level(case: &Case, scene: &Scene, cells: &[usize], index: usize) -> Result<CheckedLevel, RunError> {
+pub(super) fn check_level(case: &Case, scene: &Scene, cells: &[usize], index: usize) -> Result<CheckedLevel, RunError> {
     let meshed = family::build_level(&case.family, &scene.domain(), cells, index)?;
     let supports = scene.supports();
     let cubature = scene.cubature(0, case.fixed_quadrature);

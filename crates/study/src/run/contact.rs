@@ -58,10 +58,11 @@ impl ContactState {
     }
 }
 
-/// `∫ ([u_h]_n − ε)_+² dμ` over a side: in closed form where the jump is linear, by quadrature elsewhere.
+/// `∫ ([u_h]_n − ε)_+² dμ` over a side: in closed form where the jump is linear and there is no gap, by quadrature elsewhere.
 fn penetration(mesh: &Mesh, side: usize, u: &[Vec2]) -> f64 {
     let view = mesh.contact_view(side);
-    if mesh.direction.is_none() && matches!(view.sides[0].piece, Piece::Straight(_)) {
+    let touching = mesh.direction.is_none() && mesh.initial_gap.is_none();
+    if touching && matches!(view.sides[0].piece, Piece::Straight(_)) {
         return view.measure() * positive_square([0.0, 1.0].map(|t| view.jump(t, &view.at(t), u)));
     }
     let mut square = 0.0;

@@ -13,6 +13,7 @@ mod overlay;
 mod partial;
 mod profile;
 mod reference;
+mod refusal;
 mod refused;
 mod slide;
 #[cfg(test)]
@@ -32,12 +33,14 @@ use crate::record::{Level, Reference, SCHEMA, StudyRecord};
 use crate::reference::overkill::Overkill;
 use crate::study::{Case, ReferencePlan, Scene, Study, Subject};
 use crate::verdict::{self, JudgeInput};
+use check::check_level as level_without_solve;
 pub use check::{CheckedLevel, check_case, check_corners};
 use corners::corners_of;
 use level::Task;
 use partial::Partial;
 pub use partial::tidy;
 use rayon::prelude::*;
+pub use refusal::check_refusal;
 pub use signorini_contact::solver::Method;
 use signorini_contact::solver::Settings;
 use signorini_contact::zone::Zone;
@@ -122,6 +125,7 @@ pub fn each_case<T: Send>(
 /// Meaningless input: an exact solution that breaks its contact conditions, a load without equilibrium, …
 pub fn run_case(study: &Study, case: &Case, settings: &RunSettings, watch: &dyn Watch) -> Result<CaseRun, RunError> {
     match &case.subject {
+        Subject::Contact(scene) if case.refused => refusal::run_refused(study, case, scene, settings),
         Subject::Contact(scene) => run_contact(study, case, scene, settings, watch),
         Subject::Lemma(lemma) => run_lemma(study, case, lemma, settings, watch),
     }
@@ -263,7 +267,10 @@ fn conclude(
     }
     let zone = levels.last_mut().and_then(|level| level.contact.as_mut()?.profile.take());
     verdict::exclude_levels(&mut levels, &case.gates);
-    let rates = rate::all(&levels, &claim.norm);
+    let mut rates = rate::all(&levels, &claim.norm);
+    if let Some(rate) = rates.get_mut(&claim.norm).filter(|_| case.borderline) {
+        rate.log_alternatives = rate::log_alternatives(&levels, &claim.norm, rate);
+    }
     let corners = corners_of(case, cells_of(case, settings), zone.as_ref())?;
     let bounds = corners::bounds(case, &corners);
     let verdict = verdict::judge(&JudgeInput {
@@ -309,6 +316,7 @@ fn conclude(
         zone,
         corners,
         extrapolation,
+        refusal: None,
     })
 }
 

@@ -11,11 +11,13 @@
 //! | `convergence` | the error falls from level to level | [`convergence`] |
 //! | `bounded` | the constant stays bounded | [`bounded`] |
 //! | `agreement` | the finest level agrees with a formula | [`agreement`] |
+//! | `certificate` | every solve ends, certified, as another solver ends it | [`certificate`] |
 //!
 //! Everything is read from the levels themselves. [`exclude_levels`] has marked those that may not enter.
 
 pub mod agreement;
 pub mod bounded;
+pub mod certificate;
 mod chain;
 pub mod convergence;
 pub mod doubt;
@@ -62,6 +64,10 @@ impl<'a> JudgeInput<'a> {
 
 /// Judges a claim by what was measured.
 pub fn judge(input: &JudgeInput) -> Verdict {
+    if input.kind == ClaimKind::Certificate {
+        // a solve that does not end is no doubt there, but what the claim denies
+        return certificate::judge(input);
+    }
     let doubts = doubt::all(input);
     if !doubts.is_empty() {
         return inconclusive(doubts);
@@ -87,6 +93,7 @@ fn by_kind(input: &JudgeInput) -> Verdict {
         ClaimKind::Convergence => convergence::judge(input),
         ClaimKind::Bounded => bounded::judge(input),
         ClaimKind::Agreement => agreement::judge(input),
+        ClaimKind::Certificate => certificate::judge(input),
     }
 }
 

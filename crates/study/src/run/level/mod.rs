@@ -11,6 +11,7 @@ mod inside;
 mod located_tests;
 mod parts;
 mod projection;
+mod second;
 mod splitting;
 #[cfg(test)]
 mod tests;
@@ -227,6 +228,9 @@ impl Task<'_> {
     fn level(&self, index: usize, meshed: &MeshLevel, solved: &Solved) -> Level {
         let Solved { discrete, solution, state } = solved;
         let finest = meshed.hierarchy.finest();
+        let second = self.second_opinion(finest, solved);
+        let mut kkt = certificate(discrete, solution);
+        kkt.componentwise = kkt.componentwise.filter(|_| second.is_some());
         let with_profile = index + 1 == self.cells.len();
         let contact = profile::measure(self.scene, finest, discrete, solution, state, with_profile);
         let mut errors = Errors { penetration_l2: Some(state.penetration()), ..Default::default() };
@@ -254,12 +258,13 @@ impl Task<'_> {
             ledger: None,
             splitting: Vec::new(),
             inside: Some(is_inside(self.scene, finest)),
-            kkt: certificate(discrete, solution),
+            kkt,
             budget: Budget::default(),
             solver: self.solver_record(solution),
             warnings: discrete.warnings.clone(),
             excluded: None,
             contact: Some(contact),
+            second,
         }
     }
 }
@@ -273,6 +278,7 @@ pub(super) fn certificate(discrete: &Discrete, solution: &Solution) -> Kkt {
     let c = qp::certify(&discrete.qp, &solution.raw.x, &solution.raw.multipliers, &scales);
     Kkt {
         stationarity: c.stationarity,
+        componentwise: Some(c.componentwise),
         penetration: c.penetration,
         tension: c.tension,
         complementarity: c.complementarity,
