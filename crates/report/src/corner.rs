@@ -39,7 +39,11 @@ pub fn sentence(record: &StudyRecord) -> String {
     let expected = format::rate(corner_rate(&record.corners));
     let fitted = ["h1", "energy", "strain"].into_iter().find_map(|norm| Some((norm, record.rates.get(norm)?)));
     let observed = fitted.map_or_else(String::new, |(norm, rate)| {
-        format!(" The rate fitted in the {} norm is {}.", if norm == "h1" { "H¹" } else { norm }, format::rate(rate.slope))
+        format!(
+            " The rate fitted in the {} norm is {}.",
+            if norm == "h1" { "H¹" } else { norm },
+            format::rate(rate.slope)
+        )
     });
     format!("The corners together let expect a rate of {expected} in the strain, energy and H¹ norms.{observed}")
 }

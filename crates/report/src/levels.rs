@@ -33,11 +33,7 @@ pub(crate) fn measured<'a>(key: &str, heading: &str, cell: impl Fn(&Level) -> Ce
 }
 
 /// The same with a cell that depends on the position of the level too.
-pub(crate) fn measured_at<'a>(
-    key: &str,
-    heading: &str,
-    cell: impl Fn(usize, &Level) -> Cell + 'a,
-) -> Measured<'a> {
+pub(crate) fn measured_at<'a>(key: &str, heading: &str, cell: impl Fn(usize, &Level) -> Cell + 'a) -> Measured<'a> {
     Measured { column: Column::new(key, heading), cell: Box::new(cell) }
 }
 

@@ -8,7 +8,9 @@
 //!          Ω''
 //! ```
 //!
-//! Which state governs is read off the contact pressure of the finest level along the ray: [`NEAR`] nodes that all press, or
+//! A mode that would pull on a closed ray while it presses on another cannot lead there and is passed over.
+//!
+//! Which state governs is read off the contact pressure of the finest discrete solution along the ray: [`NEAR`] nodes that all press, or
 //! none of which does. Loads, jumps of tractions and given displacements are taken for smooth enough not to matter. Where the
 //! bodies are apart before loading the zone is open at its ends.
 
@@ -20,18 +22,18 @@ mod tests;
 use crate::record::{Corner, CornerState, CornerWedge, RayState, ZoneProfile};
 use crate::study::Scene;
 use outline::{Node, Outline};
-use signorini_contact::corner::{Face, Wedge, singular_exponent};
-use signorini_contact::mesh::Mesh;
 use signorini_contact::Error;
-use state::governing;
+use signorini_contact::corner::{Face, Singularity, Wedge, singularity};
+use signorini_contact::mesh::Mesh;
 pub use state::NEAR;
+use state::governing;
 use std::collections::BTreeMap;
 
 /// The corners in the order of the boundary nodes of the mesh, those of the contact zone first; `zone` is the solved zone, if
 /// there is one.
 ///
 /// # Errors
-/// What [`singular_exponent`] refuses.
+/// What [`singularity`] refuses.
 pub fn corners(scene: &Scene, mesh: &Mesh, zone: Option<&ZoneProfile>) -> Result<Vec<Corner>, Error> {
     let outline = Outline::new(scene, mesh);
     let mut finder = Finder { scene, known: Vec::new() };
@@ -41,12 +43,19 @@ pub fn corners(scene: &Scene, mesh: &Mesh, zone: Option<&ZoneProfile>) -> Result
         if pair.rays.len() == 2 && nodes.iter().all(|n| n.is_smooth()) {
             continue;
         }
-        let states = if pair.may_close { all_states(pair.rays.len()) } else { vec![vec![RayState::Open; pair.rays.len()]] };
-        let states: Result<Vec<_>, Error> = states.into_iter().map(|rays| finder.state(&nodes, &pair.rays, rays)).collect();
+        let states =
+            if pair.may_close { all_states(pair.rays.len()) } else { vec![vec![RayState::Open; pair.rays.len()]] };
+        let states: Result<Vec<_>, Error> =
+            states.into_iter().map(|rays| finder.state(&nodes, &pair.rays, rays)).collect();
         let states = states?;
         let at = mesh.points[pair.nodes[0] as usize];
         let governing = zone.and_then(|zone| governing(zone, at, &pair.rays, &states));
-        found.push(Corner { point: [at.x, at.y], wedges: nodes.map(|n| finder.describe(n)).to_vec(), states, governing });
+        found.push(Corner {
+            point: [at.x, at.y],
+            wedges: nodes.map(|n| finder.describe(n)).to_vec(),
+            states,
+            governing,
+        });
     }
     for (number, node) in &outline.nodes {
         if node.is_smooth() || outline.pairs.iter().any(|p| p.nodes.contains(number)) {
@@ -77,7 +86,7 @@ struct Ray {
 /// Solves the local problems, equal ones once.
 struct Finder<'a> {
     scene: &'a Scene,
-    known: Vec<(Vec<Wedge>, Option<(f64, f64)>)>,
+    known: Vec<(Vec<Wedge>, Singularity)>,
 }
 
 impl Finder<'_> {
@@ -90,19 +99,20 @@ impl Finder<'_> {
                 wedges[1].faces[1 - ray.face] = Face::Free;
             }
         }
-        let exponent = self.exponent(wedges)?;
+        let Singularity { exponent, pulling } = self.singularity(wedges)?;
         Ok(CornerState {
             rays: states,
-            exponent: exponent.map(|(re, _)| re),
-            oscillation: exponent.map(|(_, im)| im).filter(|im| *im > 1e-7),
+            exponent: exponent.map(|l| l.re),
+            oscillation: exponent.map(|l| l.im).filter(|im| *im != 0.0),
+            pulling: pulling.map(|l| l.re),
         })
     }
 
-    fn exponent(&mut self, wedges: Vec<Wedge>) -> Result<Option<(f64, f64)>, Error> {
+    fn singularity(&mut self, wedges: Vec<Wedge>) -> Result<Singularity, Error> {
         if let Some((_, known)) = self.known.iter().find(|(w, _)| *w == wedges) {
             return Ok(*known);
         }
-        let found = singular_exponent(&wedges)?.map(|l| (l.re, l.im));
+        let found = singularity(&wedges)?;
         self.known.push((wedges, found));
         Ok(found)
     }
@@ -141,4 +151,3 @@ struct Pair {
     /// Whether the bodies touch there without a gap and press along their common normal.
     may_close: bool,
 }
-

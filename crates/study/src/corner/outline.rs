@@ -67,7 +67,8 @@ impl Outline {
                 let point = view.at(end as f64);
                 let width = view.measure();
                 // across a gap contact is along e_ξ, which has to be the normal for the local problem to be that of contact
-                let aligned = mesh.direction.is_none_or(|xi| tangent_of(xi).dot(&first[end].normalize()).abs() > 1.0 - SAME);
+                let aligned =
+                    mesh.direction.is_none_or(|xi| tangent_of(xi).dot(&first[end].normalize()).abs() > 1.0 - SAME);
                 let may_close = point.gap.abs() < SAME * width && aligned;
                 let ray = Ray { face: end, forward: end == 0 };
                 outline.pair([side.first[end], side.second[end]], ray, may_close);

@@ -1,10 +1,10 @@
 //! A discrete reference on a finer nested mesh: the difference is piecewise linear there and integrated exactly.
 
-use signorini_contact::{Vec2, assembly};
 use signorini_contact::material::Material;
 use signorini_contact::mesh::Hierarchy;
 use signorini_contact::norm::{self, Squares};
 use signorini_contact::problem::{Discrete, Solution};
+use signorini_contact::{Vec2, assembly};
 
 /// The reference solution with the meshes below it.
 pub struct Overkill {

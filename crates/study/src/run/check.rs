@@ -1,9 +1,9 @@
 //! Everything but the solve: what a case would do, level by level.
 
+use super::corners::corners_of;
 use super::{Profile, verify_exact};
 use crate::error::RunError;
 use crate::family;
-use super::corners::corners_of;
 use crate::record::{Corner, Level};
 use crate::study::{Case, Scene, Subject};
 use signorini_contact::problem::Problem;

@@ -24,7 +24,7 @@ use crate::error::RunError;
 use crate::exact::verify;
 use crate::lemma::Lemma;
 use crate::rate;
-use crate::record::{Level, Reference, SCHEMA, StudyRecord};
+use crate::record::{Level, Reference, SCHEMA, StudyRecord, ZoneProfile};
 use crate::reference::overkill::Overkill;
 use crate::study::{Case, ReferencePlan, Scene, Study, Subject};
 use crate::verdict::{self, JudgeInput};
@@ -141,7 +141,7 @@ fn run_lemma(
     };
     let (levels, times) = side_by_side(cells.len(), measure)?;
     let reference = if case.reference == ReferencePlan::Exact { Reference::Exact } else { Reference::None };
-    let record = conclude(study, case, settings, levels, reference)?;
+    let record = conclude(study, case, settings, levels, reference, None)?;
     Ok(CaseRun { record, times, reference_times: None, kept: Partial::none() })
 }
 
@@ -177,7 +177,8 @@ fn run_contact(
     };
     let (levels, times) = side_by_side(cells.len(), measure)?;
     let reference = reference::describe(case, overkill.as_ref().map(|(o, _)| o), &task);
-    let record = conclude(study, case, settings, levels, reference)?;
+    let zone = overkill.as_ref().and_then(|(o, _)| reference::zone(scene, o));
+    let record = conclude(study, case, settings, levels, reference, zone)?;
     Ok(CaseRun { record, times, reference_times: overkill.map(|(_, t)| t), kept: partial })
 }
 
@@ -240,13 +241,15 @@ fn measure_level(task: &Task, overkill: Option<&Overkill>, index: usize) -> Resu
     }
 }
 
-/// Contamination, exclusion, rates and verdict: everything that needs all levels together.
+/// Contamination, exclusion, rates and verdict: everything that needs all levels together. `of_reference` is the contact zone of a
+/// discrete reference.
 fn conclude(
     study: &Study,
     case: &Case,
     settings: &RunSettings,
     mut levels: Vec<Level>,
     mut reference: Reference,
+    of_reference: Option<ZoneProfile>,
 ) -> Result<StudyRecord, RunError> {
     let claim = &study.claim;
     if !case.projects {
@@ -255,7 +258,7 @@ fn conclude(
     let zone = levels.last_mut().and_then(|level| level.contact.as_mut()?.profile.take());
     verdict::exclude_levels(&mut levels, &case.gates);
     let rates = rate::all(&levels, &claim.norm);
-    let corners = corners_of(case, cells_of(case, settings), zone.as_ref())?;
+    let corners = corners_of(case, cells_of(case, settings), of_reference.as_ref().or(zone.as_ref()))?;
     let bounds = corners::bounds(case, &corners);
     let verdict = verdict::judge(&JudgeInput {
         kind: claim.kind,
