@@ -74,9 +74,9 @@ fn between_a_clamped_and_a_free_face() {
     let root = bisect(|l| (l * 90f64.to_radians()).sin().powi(2) - (2.8f64.powi(2) - 4.0 * l * l) / 7.2, 0.5, 0.9);
     let found = smallest(&[wedge(90.0, [Clamped, Free])]);
     assert!((found - Complex::from(root)).norm() < 1e-9 && (root - 0.711).abs() < 5e-4, "{found} {root}");
-    // a crack with one clamped face oscillates: Re λ = ¼, Im λ = ln κ/(2π)
+    // at a full turn sin² 2πλ = (κ+1)²/(4κ) > 1: the crack with one clamped face oscillates, λ = ¼ ± i ln κ/(4π)
     let crack = smallest(&[wedge(360.0, [Clamped, Free])]);
-    let known = Complex::new(0.25, 1.8f64.ln() / std::f64::consts::TAU);
+    let known = Complex::new(0.25, 0.5 * 1.8f64.ln() / std::f64::consts::TAU);
     assert!((crack - known).norm() < 1e-6, "{crack} {known}");
 }
 
