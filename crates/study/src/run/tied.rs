@@ -32,7 +32,7 @@ fn tied(id: &str, name: &str, cells: &[usize], pieces: &[usize]) -> Result<Study
     scene.bilateral = pieces.to_vec();
     let task = Task { case: &case, scene: &scene, cells, settings: case.solver, constrain: Zone::new };
     let levels: Result<Vec<_>, RunError> = (0..cells.len()).map(|k| Ok(measure_level(&task, None, k)?.0)).collect();
-    conclude(&study, &case, &QUICK, levels?, Reference::Exact)
+    conclude(&study, &case, &QUICK, levels?, Reference::Exact, None)
 }
 
 fn run(study: &Study, case: &Case, levels: usize) -> Result<StudyRecord, String> {

@@ -63,7 +63,7 @@ fn fingerprints_of_shipped_cases_differ() {
 fn the_cases_are_those_of_the_plan() {
     let five = ["structured", "perturbed", "refined", "structured-overkill", "refined-overkill"];
     let seven = [&five[..3], &["delaunay", "graded"], &five[3..]].concat();
-    let plan: [(&str, &[&str]); 19] = [
+    let plan: &[(&str, &[&str])] = &[
         ("theorem-3-1-smooth", &seven),
         ("theorem-3-1-natural", &five),
         ("lemma-2-1", &["structured", "perturbed", "kinked"]),
@@ -72,6 +72,11 @@ fn the_cases_are_those_of_the_plan() {
         ("remark-3-2b", &["tiles", "alpha-1.5", "alpha-1.05", "alpha-0.75", "alpha-0.5"]),
         ("many-switches", &["n-1", "n-2", "n-4", "n-8", "n-16", "n-32", "n-64"]),
         ("two-squares", &["two-squares"]),
+        ("theorem-3-2", &["flat-punch", "tilted-punch", "l-shape", "kinked", "clamped-at-contact"]),
+        ("theorem-3-5", &["jumping-load", "notch"]),
+        ("lemma-3-1", &["flat-punch", "l-shape"]),
+        ("lemma-3-5", &["convex", "concave"]),
+        ("lemma-3-6", &["smooth", "rough"]),
         ("lemma-3-2", &["disc-alpha-1", "disc-alpha-1.5", "disc-alpha-0.75", "ellipse-alpha-1.05", "ellipse-smooth"]),
         ("lemma-3-3", &["lemma-3-3"]),
         ("lemma-3-3-full", &["full-right", "full"]),
@@ -85,7 +90,7 @@ fn the_cases_are_those_of_the_plan() {
         ("lemma-3-4", &["disc-bulging", "disc-bitten", "ellipse-bulging", "ellipse-bitten"]),
     ];
     for (id, cases) in plan {
-        assert_eq!(load(id).cases.iter().map(|c| c.name.as_str()).collect::<Vec<_>>(), cases, "{id}");
+        assert_eq!(load(id).cases.iter().map(|c| c.name.as_str()).collect::<Vec<_>>(), *cases, "{id}");
     }
 }
 
@@ -298,4 +303,13 @@ fn a_case_may_take_the_exact_solution_back() {
     let study = shipped().select(&["lemma-2-1".into()]).unwrap()[0].load().unwrap();
     let has_exact = |name: &str| study.cases.iter().find(|c| c.name == name).unwrap().scene().unwrap().exact.is_some();
     assert!(has_exact("structured") && has_exact("perturbed") && !has_exact("kinked"));
+}
+
+/// Two lemmas speak of the distance of a given displacement, and the theorems beside them of solutions.
+#[test]
+fn only_the_lemmas_of_density_project() {
+    for study in shipped().sources.iter().map(|s| s.load().unwrap()) {
+        let projects = ["lemma-3-1", "lemma-3-5"].contains(&study.id.as_str());
+        assert!(study.cases.iter().all(|c| c.projects == projects), "{}", study.id);
+    }
 }
