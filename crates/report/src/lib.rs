@@ -20,7 +20,10 @@
 //! Reading order: [`table`] (the one table model) · [`norm`] (what can be tabulated) · [`levels`], [`ledger`] (the tables
 //! of a case) · [`markdown`] (its page) · [`plot`] (its pictures) · [`verdict`], [`summary`] (all cases together).
 
+mod borderline;
+mod coverage;
 pub mod error;
+mod falsify;
 pub mod format;
 pub mod formula;
 pub mod ledger;
@@ -33,7 +36,9 @@ pub mod summary;
 pub mod table;
 pub mod verdict;
 
+pub use coverage::coverage_markdown;
 pub use error::ReportError;
+pub use falsify::{falsify_markdown, falsify_text};
 pub use summary::{summary_markdown, summary_text};
 
 use signorini_study::record::StudyRecord;
