@@ -94,6 +94,9 @@ fn the_slide_is_p_on_the_contact_line_and_has_a_stated_mean_on_the_floor() {
     assert!(built_in("slide", &parameters(&[("slide", 11.0)]), PAIRS[0]).is_err());
 }
 
+/// Name, slope of the line, switch point along it, and `p`.
+type Form<'a> = (&'a str, f64, f64, &'a dyn Fn(f64) -> f64);
+
 /// `∫_ω τ:ε(φ) − F·φ dx = ∮ τν·φ ds` on rectangles beside the line, in the coordinates along and across it, with the stated `p`
 /// on the line itself: it ties the second derivatives to the first, and the sign of `p` to both bodies.
 #[test]
@@ -101,8 +104,7 @@ fn greens_formula_holds_with_the_stated_stress_on_the_line() {
     let s_end = 0.375f64.sqrt() * 1.09f64.sqrt();
     let of_slanted = |s: f64| -30.0 * positive(s_end - s, 2.0) * (s - 0.2);
     let of_slide = |s: f64| -6.0 * positive(1.0 / 6.0f64.sqrt() - s, 2.0);
-    let forms: [(&str, f64, f64, &dyn Fn(f64) -> f64); 2] =
-        [("bilateral", SLOPE, s_end, &of_slanted), ("slide", 0.0, 1.0 / 6.0f64.sqrt(), &of_slide)];
+    let forms: [Form; 2] = [("bilateral", SLOPE, s_end, &of_slanted), ("slide", 0.0, 1.0 / 6.0f64.sqrt(), &of_slide)];
     for (name, slope, switch, p) in forms {
         let exact = made(name, &[], PAIRS[2]);
         for (body, side) in [(Body::First, 1.0), (Body::Second, -1.0)] {
