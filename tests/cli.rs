@@ -141,7 +141,7 @@ fn one_case_has_no_folder_of_its_own_and_several_have() {
         let files = OF_A_CASE.iter().filter(|f| **f != "timings.json");
         expected.extend(files.map(|f| format!("pair/{case}/{f}")));
     }
-    expected.extend(["pair/timings.json", "summary.json", "summary.md"].map(String::from));
+    expected.extend(["pair/timings.json", "statements.md", "summary.json", "summary.md"].map(String::from));
     expected.sort();
     assert_eq!(names(&folder.path("deep/er")), expected);
     assert!(!folder.path("reports").exists() && !folder.path("deep/er/.partial").exists());

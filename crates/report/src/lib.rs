@@ -18,24 +18,34 @@
 //! ```
 //!
 //! Reading order: [`table`] (the one table model) · [`norm`] (what can be tabulated) · [`levels`], [`ledger`] (the tables
-//! of a case) · [`markdown`] (its page) · [`plot`] (its pictures) · [`verdict`], [`summary`] (all cases together).
+//! of a case) · [`markdown`] (its page) · [`plot`] (its pictures) · [`verdict`], [`summary`] (all
+//! cases together), [`statements`] (the paper, statement by statement).
 
+mod borderline;
 pub mod corner;
+mod coverage;
 pub mod error;
 pub mod extrapolation;
+mod falsify;
 pub mod format;
 pub mod formula;
+pub mod hard;
 pub mod ledger;
 pub mod levels;
 pub mod markdown;
 pub mod norm;
 pub mod plot;
 pub mod regularity;
+mod splitting;
+pub mod statements;
 pub mod summary;
 pub mod table;
 pub mod verdict;
 
+pub use coverage::coverage_markdown;
 pub use error::ReportError;
+pub use falsify::{falsify_markdown, falsify_text};
+pub use statements::statements_markdown;
 pub use summary::{summary_markdown, summary_text};
 
 use signorini_study::record::StudyRecord;
@@ -79,14 +89,17 @@ pub fn render(record: &StudyRecord, dir: &Path) -> Result<Vec<PathBuf>, ReportEr
     Ok(folder.written)
 }
 
-/// Writes `summary.md` and `summary.json` (one row per case, in the order of `records`) into `dir`. Returns the files
-/// written.
+/// Writes `summary.md`, `statements.md` (one row per statement of the paper), `hard.md` where there are hard cases, and
+/// `summary.json` (one row per case, in the order of `records`) into `dir`. Returns the files written.
 ///
 /// # Errors
 /// [`ReportError`] if a file cannot be written or a number is not finite.
 pub fn render_summary(records: &[StudyRecord], dir: &Path) -> Result<Vec<PathBuf>, ReportError> {
     let mut folder = Folder::new(dir);
     folder.write("summary.md", summary_markdown(records).as_bytes())?;
+    folder.write("statements.md", statements_markdown(records).as_bytes())?;
+    let hard = hard::page(records);
+    folder.write_or_remove("hard.md", hard.as_deref().map(str::as_bytes))?;
     folder.written.push(write_summary(dir, records)?);
     Ok(folder.written)
 }

@@ -1,6 +1,8 @@
 //! The page of one case: question, claim, set-up, verdict, tables and pictures, in the order a reader asks.
 
+use crate::borderline;
 use crate::corner;
+use crate::coverage;
 use crate::extrapolation;
 use crate::format;
 use crate::formula;
@@ -8,6 +10,7 @@ use crate::ledger;
 use crate::levels;
 use crate::norm;
 use crate::regularity;
+use crate::splitting;
 use crate::table::{Cell, Column, Row, Table};
 use crate::verdict;
 use signorini_study::record::{ClaimKind, Rate, Reference, StudyRecord};
@@ -36,6 +39,7 @@ pub fn page(record: &StudyRecord, pictures: Pictures) -> String {
         section("What would refute it", &record.refuted_by),
         errors(record, pictures.rates),
         ledger_section(record, pictures),
+        splitting(record),
         table_section("Corners", &corner::table(record), &corners_legend(record)),
         table_section("Energies", &extrapolation::table(record), &energies_legend(record)),
         table_section("Contact", &levels::contact(record), CONTACT_LEGEND),
@@ -158,6 +162,7 @@ pub(crate) fn kind_words(kind: ClaimKind) -> &'static str {
         ClaimKind::Convergence => "convergence from level to level",
         ClaimKind::Bounded => "a bounded constant",
         ClaimKind::Agreement => "agreement on the finest level",
+        ClaimKind::Certificate => "a certified solve on every level, confirmed by a second solver",
     }
 }
 
@@ -187,18 +192,21 @@ fn bounds_table(record: &StudyRecord, observed: Option<&Rate>) -> Table {
 fn fit_words(rate: &Rate) -> String {
     format!(
         "Fitted over {}: standard error {}, R² {:.6}, change of the pairwise rate per level {}; \
-         against dofs^(−1/2) the slope is {}.{}\n",
+         against dofs^(−1/2) the slope is {}.{} {}\n{}",
         format::level_words(&rate.levels),
         format::significant(rate.stderr, 2),
         rate.r2,
         format::rate(rate.curvature),
         format::rate(rate.dofs_slope),
         norm::Trust::of(rate).remark().map_or(String::new(), |why| format!(" No firm rate: {why}.")),
+        coverage::sentence(),
+        borderline::words(rate),
     )
 }
 
 fn set_up(record: &StudyRecord) -> String {
     let mut lines = vec![format!("- Family: {}", family_words(record))];
+    lines.extend(regularity::angles(record).map(|words| format!("- Angles: {words}")));
     lines.extend(regularity::sentence(record).map(|words| format!("- Regularity: {words}")));
     if levels::has_solution(record) {
         lines.push(format!("- Reference: {}", reference_words(&record.reference)));
@@ -290,6 +298,11 @@ fn ledger_section(record: &StudyRecord, pictures: Pictures) -> String {
         body += &format!("\n{}\n{TERMS_LEGEND}\n", rates.to_markdown_above(note));
     }
     section("Ledger", &body)
+}
+
+/// Falk's splitting on the finest level, and how tight it is on the others.
+fn splitting(record: &StudyRecord) -> String {
+    section("Falk's splitting", &splitting::body(record))
 }
 
 /// The contact pressure of the finest level, and what a formula says of it.

@@ -5,7 +5,7 @@ use crate::norm::{self, judged_rate};
 use crate::regularity;
 use crate::table::{Cell, Column, Row, Table, text};
 use crate::verdict;
-use signorini_study::record::StudyRecord;
+use signorini_study::record::{ClaimKind, StudyRecord};
 
 /// Widest line of [`summary_text`].
 pub const TEXT_WIDTH: usize = 110;
@@ -13,7 +13,8 @@ pub const TEXT_WIDTH: usize = 110;
 /// `summary.md`: the counts, one table row per case with a link to its page, the reasons behind what did not pass, and
 /// how regular the meshes are where the claim asks for it.
 pub fn summary_markdown(records: &[StudyRecord]) -> String {
-    let mut out = format!("# Summary\n\n{}\n\n", verdict::counts(records));
+    let statements = "[The paper, statement by statement](statements.md)";
+    let mut out = format!("# Summary\n\n{}\n\n{statements}\n\n", verdict::counts(records));
     if records.is_empty() {
         return out;
     }
@@ -21,6 +22,9 @@ pub fn summary_markdown(records: &[StudyRecord]) -> String {
     let reasons: Vec<String> = (records.iter().filter(|r| verdict::needs_reason(r)))
         .map(|r| format!("- **{}**, {}: {}\n", name(r), verdict::words(r), verdict::why(r)))
         .collect();
+    if records.iter().any(|r| r.kind == ClaimKind::Certificate) {
+        out += "\nThe hard cases have a page of their own: [hard.md](hard.md).\n";
+    }
     if !reasons.is_empty() {
         out += &format!("\n## Reasons\n\n{}", reasons.concat());
     }

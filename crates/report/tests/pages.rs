@@ -165,7 +165,7 @@ fn terminal_summary_is_aligned_and_narrow() {
 fn summary_has_one_row_per_case() -> Tested {
     let dir = common::folder("summary");
     let files = render_summary(&several(), &dir)?;
-    assert_eq!(files, [dir.join("summary.md"), dir.join("summary.json")]);
+    assert_eq!(files, ["summary.md", "statements.md", "summary.json"].map(|f| dir.join(f)));
     let rows: serde_json::Value = serde_json::from_slice(&fs::read(dir.join("summary.json"))?)?;
     assert_eq!(rows.as_array().map(Vec::len), Some(4));
     assert_eq!(rows[0]["rate"].as_f64(), Some(1.0));

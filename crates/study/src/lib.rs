@@ -8,6 +8,7 @@ pub mod error;
 pub mod exact;
 pub mod expr;
 pub mod extrapolation;
+pub mod falsify;
 pub mod family;
 pub mod file;
 mod finite;
@@ -20,6 +21,7 @@ pub mod run;
 #[cfg(test)]
 mod sample;
 mod scene;
+pub mod splitting;
 pub mod store;
 pub mod study;
 pub mod verdict;

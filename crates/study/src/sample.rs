@@ -39,6 +39,8 @@ pub(crate) fn level(k: usize, error: f64) -> Level {
             ..Errors::default()
         },
         ledger: None,
+        splitting: Vec::new(),
+        inside: None,
         kkt: Kkt { stationarity: 1e-15, ..Kkt::default() },
         budget: Budget {
             algebraic: Some(1e-8),
@@ -60,6 +62,7 @@ pub(crate) fn level(k: usize, error: f64) -> Level {
         solution_h1: None,
         solution_trace: Some(1.0),
         contact: None,
+        second: None,
     }
 }
 
@@ -94,6 +97,7 @@ pub(crate) fn record(study: &str, case: &str, levels: Vec<Level>) -> StudyRecord
         zone: None,
         corners: Vec::new(),
         extrapolation: None,
+        refusal: None,
     }
 }
 

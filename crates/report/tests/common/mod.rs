@@ -162,6 +162,7 @@ pub fn blank(levels: Vec<Level>) -> StudyRecord {
         zone: None,
         corners: Vec::new(),
         extrapolation: None,
+        refusal: None,
     }
 }
 
@@ -186,6 +187,8 @@ fn level(k: usize, errors: impl Fn(f64) -> Errors) -> Level {
         mesh_hash: format!("{k:016x}"),
         errors: errors(h),
         ledger: None,
+        splitting: Vec::new(),
+        inside: None,
         kkt: Kkt { stationarity: 1.3e-14, ..Kkt::default() },
         budget: Budget { algebraic: Some(1e-9), geometry: Some(0.0), ..Budget::default() },
         solver: SolverRecord {
@@ -201,6 +204,7 @@ fn level(k: usize, errors: impl Fn(f64) -> Errors) -> Level {
         solution_h1: None,
         solution_trace: Some(1.0),
         contact: None,
+        second: None,
     }
 }
 
@@ -219,6 +223,7 @@ pub fn rate(levels: &[Level], c: f64, p: f64) -> Rate {
         curvature: 0.0007,
         dofs_slope: p,
         asymptotic: true,
+        log_alternatives: Vec::new(),
     }
 }
 

@@ -1,4 +1,4 @@
-//! Whether the measured meshes meet the hypothesis of strong regularity, where the claim asks for it.
+//! Whether the measured meshes meet the hypotheses of regularity and of strong regularity, where the claim asks for them.
 
 use crate::record::StudyRecord;
 
@@ -45,6 +45,39 @@ impl StrongRegularity {
     }
 }
 
+/// The smallest angle falls like at least this power of `h`: no family that looks regular.
+const FALLING: f64 = 0.25;
+
+/// Whether the smallest angle stays away from zero, as far as the levels can tell.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Regularity {
+    /// Smallest angle of each level in degrees, coarsest first.
+    pub angles: Vec<f64>,
+    /// `p` of `ϑ ~ h^p` between the coarsest and the finest level, where that is a fall.
+    pub falls_like: Option<f64>,
+}
+
+impl Regularity {
+    /// Of a record whose claim asks for a regular family and whose levels have angles; `None` for others.
+    pub fn of(record: &StudyRecord) -> Option<Self> {
+        let asked = record.hypotheses.iter().any(|h| h.contains("regular family") || h.contains("strongly regular"));
+        let angles: Vec<f64> = record.levels.iter().map(|l| l.min_angle).collect();
+        // an angle of 0 is that of a family of intervals
+        if !asked || angles.is_empty() || angles.contains(&0.0) {
+            return None;
+        }
+        let (first, last) = (record.levels.first()?, record.levels.last()?);
+        // ϑ_0/ϑ_N = (h_0/h_N)^p
+        let power = (first.min_angle / last.min_angle).ln() / (first.h / last.h).ln();
+        Some(Self { angles, falls_like: Some(power).filter(|p| *p > FALLING && record.levels.len() > 1) })
+    }
+
+    /// Whether the family looks regular.
+    pub fn is_met(&self) -> bool {
+        self.falls_like.is_none()
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -67,6 +100,25 @@ mod tests {
         let missed = StrongRegularity::of(&record(&[(2.1, 0.9), (2.0, 1.0), (1.9, 1.1)])).unwrap();
         assert_eq!(missed.missed, [0, 2]);
         assert!(!missed.is_met());
+    }
+
+    fn with_angles(angles: &[f64]) -> StudyRecord {
+        let mut levels = sample::levels(angles.len(), |h| h);
+        levels.iter_mut().zip(angles).for_each(|(l, a)| l.min_angle = *a);
+        sample::record("s", "s", levels)
+    }
+
+    #[test]
+    fn angles_that_fall_with_h_are_no_regular_family() {
+        let falling = Regularity::of(&with_angles(&[26.0, 13.0, 6.5, 3.25])).unwrap();
+        assert!(!falling.is_met() && (falling.falls_like.unwrap() - 1.0).abs() < 1e-12);
+        // random meshes lose some degrees without a trend
+        let steady = Regularity::of(&with_angles(&[27.0, 21.0, 24.0, 20.0])).unwrap();
+        assert!(steady.is_met() && steady.angles[1] == 21.0);
+        assert!(Regularity::of(&with_angles(&[26.0])).unwrap().is_met());
+        assert_eq!(Regularity::of(&with_angles(&[0.0, 0.0])), None);
+        let unasked = StudyRecord { hypotheses: vec!["p linear".into()], ..with_angles(&[26.0, 13.0]) };
+        assert_eq!(Regularity::of(&unasked), None);
     }
 
     #[test]

@@ -8,6 +8,7 @@
 //! | refined | one irregular coarse mesh, refined red | yes |
 //! | delaunay | an independent Delaunay mesh | no |
 //! | graded | an independent Delaunay mesh with sides that shrink towards a point | no |
+//! | degenerate | a fresh mesh of cells ever flatter: its smallest angle falls like `h` | no |
 //!
 //! On bodies with curved sides no family is nested, since new nodes go to the curves; only `refined` is made by refinement
 //! there.
@@ -15,6 +16,8 @@
 use signorini_contact::Point;
 use signorini_contact::mesh::blocks::Pattern;
 
+mod cut;
+mod degenerate;
 pub mod delaunay;
 mod level;
 mod perturb;
@@ -23,6 +26,7 @@ pub(crate) mod random;
 mod tests;
 mod unstructured;
 
+pub use degenerate::Degenerate;
 pub use level::{Domain, Level, build_level, build_reference, refinements};
 
 /// Which family.
@@ -67,6 +71,8 @@ pub enum Family {
         /// `γ` of the side length `h (max(r, h)/R)^γ`, between 0 and 1.
         strength: f64,
     },
+    /// Cells squeezed in one direction the more the finer they are: no regular family.
+    Degenerate(Degenerate),
 }
 
 impl Family {
@@ -80,6 +86,7 @@ impl Family {
             Self::Refined { .. } | Self::RefinedDelaunay { .. } => "refined",
             Self::Delaunay { .. } => "delaunay",
             Self::Graded { .. } => "graded",
+            Self::Degenerate(_) => "degenerate",
         }
     }
 
@@ -113,6 +120,7 @@ impl Family {
             Self::RefinedDelaunay { .. } | Self::Delaunay { .. } | Self::Graded { .. } => Pattern::Structured,
             Self::CrissCross => Pattern::CrissCross,
             Self::UnionJack => Pattern::UnionJack,
+            Self::Degenerate(d) => d.pattern(),
         }
     }
 

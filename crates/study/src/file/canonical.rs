@@ -9,6 +9,7 @@ use super::raw::{RawBoundary, RawExact, RawField, RawPoint, RawTraces};
 use crate::claim::Claim;
 use crate::study::{Block, Case, Scene, Subject};
 use signorini_contact::mesh::blocks::EVEN;
+use signorini_contact::solver::Settings;
 use signorini_contact::{Material, Point};
 use std::fmt::Write;
 use toml::Spanned;
@@ -30,12 +31,30 @@ pub fn text(case: &Case, layer: &Layer<'_>, claim: &Claim) -> String {
     if case.expected_from_corners {
         lines.put("expected", "from the corners");
     }
-    lines.put("solver", format!("{:?}", case.solver));
+    lines.put("solver", solver(&case.solver));
+    if let Some(second) = case.second {
+        lines.put("second opinion", second.name());
+    }
+    if case.refused {
+        lines.put("refused", "true");
+    }
     lines.put("claim", format!("{} {:?} {}", claim.id, claim.kind, claim.norm));
     lines.put("gates", format!("{:?} {:?} {}", case.gates, case.bounds, case.expected_is_asymptotic));
     lines.put("fixed quadrature", case.fixed_quadrature.to_string());
+    if let Some(splitting) = &case.splitting {
+        lines.put("splitting", format!("{splitting:?}"));
+    }
     lines.put("expect", format!("{:?} {}", case.expect, case.inconclusive_at_quick.is_some()));
     lines.0
+}
+
+/// A start of the slide other than zero is named; without one the text is the same as ever.
+fn solver(settings: &Settings) -> String {
+    let Settings { method, max_steps, tolerance, crossover, start_slide } = settings;
+    let start = if *start_slide == 0.0 { String::new() } else { format!(", start_slide: {start_slide:?}") };
+    format!(
+        "Settings {{ method: {method:?}, max_steps: {max_steps}, tolerance: {tolerance:?}, crossover: {crossover}{start} }}"
+    )
 }
 
 fn contact(lines: &mut Lines, scene: &Scene, layer: &Layer<'_>) {
@@ -44,6 +63,15 @@ fn contact(lines: &mut Lines, scene: &Scene, layer: &Layer<'_>) {
         lines.put("part", format!("{:?} {} {}", part.body, part.along.describe(), condition(raw)));
     }
     lines.put("contact", scene.contact.describe());
+    if !scene.bilateral.is_empty() {
+        lines.put("bilateral pieces", format!("{:?}", scene.bilateral));
+    }
+    if let Some(slide) = &scene.slide {
+        lines.put("slide", format!("{slide:?}"));
+    }
+    if let Some(gap) = layer.contact.and_then(|c| c.initial_gap.as_ref()) {
+        lines.put("initial gap", format!("{:?}", gap.get_ref()));
+    }
     if scene.symmetric {
         lines.put("symmetric", "true");
     }

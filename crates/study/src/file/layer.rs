@@ -3,8 +3,9 @@
 use super::number::Finite;
 use super::raw::{
     Expect, RawBody, RawBoundary, RawCase, RawContact, RawCurve, RawDiscretisation, RawExact, RawExpected, RawFamily,
-    RawFormula, RawGates, RawLemma, RawLevels, RawReference, RawSolver, RawStudy,
+    RawFormula, RawGates, RawLemma, RawLevels, RawReference, RawSlide, RawSolver, RawStudy,
 };
+use super::splitting::RawSplitting;
 use std::collections::BTreeMap;
 use toml::Spanned;
 
@@ -16,6 +17,7 @@ pub struct Layer<'a> {
     pub body: Option<&'a [Spanned<RawBody>]>,
     pub boundary: Option<&'a [RawBoundary]>,
     pub contact: Option<&'a RawContact>,
+    pub slide: Option<&'a Spanned<RawSlide>>,
     pub curve: Option<&'a [Spanned<RawCurve>]>,
     pub discretisation: Option<&'a Spanned<RawDiscretisation>>,
     pub exact: Option<&'a Spanned<RawExact>>,
@@ -25,6 +27,7 @@ pub struct Layer<'a> {
     pub levels: Option<&'a RawLevels>,
     pub reference: Option<&'a Spanned<RawReference>>,
     pub solver: Option<&'a RawSolver>,
+    pub splitting: Option<&'a Spanned<RawSplitting>>,
     pub gates: Option<&'a Spanned<RawGates>>,
     pub expected: Option<&'a Spanned<RawExpected>>,
 }
@@ -39,6 +42,7 @@ macro_rules! layer_of {
             body: $raw.body.as_deref(),
             boundary: $raw.boundary.as_deref(),
             contact: $raw.contact.as_ref(),
+            slide: $raw.slide.as_ref(),
             curve: $raw.curve.as_deref(),
             discretisation: $raw.discretisation.as_ref(),
             exact: $raw.exact.as_ref(),
@@ -48,6 +52,7 @@ macro_rules! layer_of {
             levels: $raw.levels.as_ref(),
             reference: $raw.reference.as_ref(),
             solver: $raw.solver.as_ref(),
+            splitting: $raw.splitting.as_ref(),
             gates: $raw.gates.as_ref(),
             expected: $raw.expected.as_ref(),
         }
@@ -76,6 +81,7 @@ impl<'a> Layer<'a> {
             body: self.body.or(base.body),
             boundary: self.boundary.or(base.boundary),
             contact: self.contact.or(base.contact),
+            slide: self.slide.or(base.slide),
             curve: self.curve.or(base.curve),
             discretisation: self.discretisation.or(base.discretisation),
             exact: self.exact.or(base.exact),
@@ -85,6 +91,7 @@ impl<'a> Layer<'a> {
             levels: self.levels.or(base.levels),
             reference: self.reference.or(base.reference),
             solver: self.solver.or(base.solver),
+            splitting: self.splitting.or(base.splitting),
             gates: self.gates.or(base.gates),
             expected: self.expected.or(base.expected),
         }

@@ -6,9 +6,11 @@
 //!
 //! `studies/README.md` describes every field. [`library`] finds the files.
 
+mod bilateral;
 mod boundary;
 mod canonical;
 mod curve;
+mod degenerate;
 mod discretisation;
 mod error;
 mod exact;
@@ -16,6 +18,7 @@ mod expected;
 mod field;
 mod fixed;
 mod formula;
+mod initial_gap;
 mod judge;
 mod layer;
 mod lemma;
@@ -28,6 +31,8 @@ mod raw;
 mod resolve;
 mod shape;
 mod shipped;
+mod slide;
+mod splitting;
 #[cfg(test)]
 mod tests;
 mod traces;

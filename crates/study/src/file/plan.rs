@@ -1,5 +1,6 @@
 //! How a case is computed: family, levels, reference, solver.
 
+use super::degenerate;
 use super::error::{Fault, refuse};
 use super::raw::{CoarseName, FamilyName, RawFamily, RawLevels, RawReference, RawSolver, ReferenceName, SolverName};
 use super::shape::point;
@@ -27,19 +28,22 @@ pub fn family(raw: Option<&Spanned<RawFamily>>) -> Result<Family, Fault> {
         FamilyName::Refined => random(raw).map(|(seed, amount)| Family::Refined { seed, amount })?,
         FamilyName::Delaunay => Family::Delaunay { seed: seed(raw)? },
         FamilyName::Graded => graded(raw)?,
+        FamilyName::Degenerate => degenerate::degenerate(raw)?,
     })
 }
 
 /// Fields that mean nothing for the family.
 fn refuse_superfluous(f: &RawFamily) -> Result<(), Fault> {
-    use FamilyName::{Delaunay, Graded, Perturbed, Refined};
+    use FamilyName::{Degenerate, Delaunay, Graded, Perturbed, Refined};
     let from_delaunay = f.coarse.as_ref().is_some_and(|c| *c.get_ref() == CoarseName::Delaunay);
     let fields = [
         ("seed", f.seed.as_ref().map(Spanned::span), [Perturbed, Refined, Delaunay, Graded].contains(&f.name)),
         ("amount", f.amount.as_ref().map(Spanned::span), [Perturbed, Refined].contains(&f.name) && !from_delaunay),
         ("coarse", f.coarse.as_ref().map(Spanned::span), f.name == Refined),
         ("towards", f.towards.as_ref().map(Spanned::span), f.name == Graded),
-        ("strength", f.strength.as_ref().map(Spanned::span), f.name == Graded),
+        ("strength", f.strength.as_ref().map(Spanned::span), [Graded, Degenerate].contains(&f.name)),
+        ("direction", f.direction.as_ref().map(Spanned::span), f.name == Degenerate),
+        ("triangles", f.triangles.as_ref().map(Spanned::span), f.name == Degenerate),
     ];
     match fields.into_iter().find_map(|(name, span, belongs)| span.filter(|_| !belongs).map(|s| (name, s))) {
         None => Ok(()),
@@ -221,14 +225,31 @@ fn finer(levels: &[usize], reference: usize, span: Range<usize>) -> Result<(), F
     }
 }
 
+fn method(name: SolverName) -> Method {
+    match name {
+        SolverName::Condensed => Method::Condensed,
+        SolverName::Monotone => Method::Monotone,
+        SolverName::InteriorPoint => Method::InteriorPoint,
+    }
+}
+
+/// Who gives the second opinion; not the solver whose answer it is held against.
+pub fn second(raw: Option<&RawSolver>) -> Result<Option<Method>, Fault> {
+    let Some(second) = raw.and_then(|r| r.second.as_ref()) else { return Ok(None) };
+    let first = raw.and_then(|r| r.name).map_or(Settings::default().method, method);
+    let other = method(*second.get_ref());
+    if other == first {
+        let message = format!("`second` is {} like the first solver: it would agree with itself", other.name());
+        return refuse(second.span(), message, "choose another: condensed, monotone or interior-point");
+    }
+    Ok(Some(other))
+}
+
 /// Solver settings.
 pub fn solver(raw: Option<&RawSolver>) -> Result<Settings, Fault> {
     let mut settings = Settings::default();
     let Some(raw) = raw else { return Ok(settings) };
-    settings.method = match raw.name {
-        None | Some(SolverName::Condensed) => Method::Condensed,
-        Some(SolverName::InteriorPoint) => Method::InteriorPoint,
-    };
+    settings.method = raw.name.map_or(settings.method, method);
     if let Some(t) = &raw.tolerance {
         settings.tolerance = t.get_ref().0;
         if !(0.0 < settings.tolerance && settings.tolerance < 1.0) {
@@ -241,6 +262,9 @@ pub fn solver(raw: Option<&RawSolver>) -> Result<Settings, Fault> {
         if settings.max_steps == 0 {
             return refuse(steps.span(), "max_steps = 0 leaves nothing to do", "50 is the default");
         }
+    }
+    if let Some(start) = &raw.start_slide {
+        settings.start_slide = start.get_ref().0;
     }
     settings.crossover = raw.crossover.unwrap_or(settings.crossover);
     Ok(settings)

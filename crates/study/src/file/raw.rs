@@ -5,6 +5,7 @@
 use super::expected::ExpectedRate;
 use super::fixed::Fixed;
 use super::number::{Finite, NumberOrText, OrNone};
+use super::splitting::RawSplitting;
 use crate::record::ClaimKind;
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -31,6 +32,7 @@ pub struct RawStudy {
     pub body: Option<Vec<Spanned<RawBody>>>,
     pub boundary: Option<Vec<RawBoundary>>,
     pub contact: Option<RawContact>,
+    pub slide: Option<Spanned<RawSlide>>,
     pub curve: Option<Vec<Spanned<RawCurve>>>,
     pub discretisation: Option<Spanned<RawDiscretisation>>,
     pub exact: Option<Spanned<RawExact>>,
@@ -40,6 +42,7 @@ pub struct RawStudy {
     pub levels: Option<RawLevels>,
     pub reference: Option<Spanned<RawReference>>,
     pub solver: Option<RawSolver>,
+    pub splitting: Option<Spanned<RawSplitting>>,
     pub gates: Option<Spanned<RawGates>>,
     pub expected: Option<Spanned<RawExpected>>,
     #[serde(default)]
@@ -56,6 +59,7 @@ pub struct RawCase {
     pub body: Option<Vec<Spanned<RawBody>>>,
     pub boundary: Option<Vec<RawBoundary>>,
     pub contact: Option<RawContact>,
+    pub slide: Option<Spanned<RawSlide>>,
     pub curve: Option<Vec<Spanned<RawCurve>>>,
     pub discretisation: Option<Spanned<RawDiscretisation>>,
     pub exact: Option<Spanned<RawExact>>,
@@ -65,6 +69,7 @@ pub struct RawCase {
     pub levels: Option<RawLevels>,
     pub reference: Option<Spanned<RawReference>>,
     pub solver: Option<RawSolver>,
+    pub splitting: Option<Spanned<RawSplitting>>,
     pub gates: Option<Spanned<RawGates>>,
     pub expected: Option<Spanned<RawExpected>>,
 }
@@ -74,6 +79,7 @@ pub struct RawCase {
 pub enum Expect {
     Fail,
     Inconclusive,
+    Refused,
 }
 
 #[derive(Deserialize)]
@@ -166,8 +172,11 @@ pub struct RawContact {
     pub curves: Vec<Spanned<String>>,
     pub gap: Option<Spanned<Fixed<Spanned<String>, 2>>>,
     pub direction: Option<Spanned<RawPoint>>,
+    pub initial_gap: Option<Spanned<String>>,
     #[serde(default)]
     pub symmetric: bool,
+    #[serde(default)]
+    pub bilateral: Vec<Spanned<Fixed<RawPoint, 2>>>,
 }
 
 impl RawContact {
@@ -175,6 +184,13 @@ impl RawContact {
     pub fn span(&self) -> Option<std::ops::Range<usize>> {
         self.along.as_ref().map(Spanned::span).or(self.gap.as_ref().map(Spanned::span))
     }
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawSlide {
+    pub body: Spanned<String>,
+    pub along: Spanned<Fixed<RawPoint, 2>>,
 }
 
 #[derive(Deserialize)]
@@ -349,6 +365,15 @@ pub struct RawFamily {
     pub coarse: Option<Spanned<CoarseName>>,
     pub towards: Option<Spanned<RawPoint>>,
     pub strength: Option<Spanned<Finite>>,
+    pub direction: Option<Spanned<usize>>,
+    pub triangles: Option<Spanned<TrianglesName>>,
+}
+
+#[derive(Clone, Copy, Deserialize, PartialEq)]
+#[serde(rename_all = "kebab-case")]
+pub enum TrianglesName {
+    Right,
+    Obtuse,
 }
 
 #[derive(Clone, Copy, Deserialize, PartialEq)]
@@ -368,6 +393,7 @@ pub enum FamilyName {
     Refined,
     Delaunay,
     Graded,
+    Degenerate,
 }
 
 #[derive(Default, Deserialize)]
@@ -401,12 +427,15 @@ pub struct RawSolver {
     pub tolerance: Option<Spanned<Finite>>,
     pub crossover: Option<bool>,
     pub max_steps: Option<Spanned<usize>>,
+    pub start_slide: Option<Spanned<Finite>>,
+    pub second: Option<Spanned<SolverName>>,
 }
 
 #[derive(Clone, Copy, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum SolverName {
     Condensed,
+    Monotone,
     InteriorPoint,
 }
 
@@ -432,5 +461,6 @@ pub struct RawExpected {
     pub today: Option<OrNone>,
     #[serde(default)]
     pub asymptotic_only: bool,
+    pub borderline: Option<bool>,
     pub reason: Option<String>,
 }

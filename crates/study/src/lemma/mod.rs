@@ -174,6 +174,8 @@ fn level(index: usize, cells: usize, certificate: Certificate, errors: Errors, b
         mesh_hash: hash,
         errors,
         ledger: None,
+        splitting: Vec::new(),
+        inside: None,
         kkt: Kkt::default(),
         budget,
         solver: SolverRecord::nothing_to_solve(),
@@ -183,5 +185,6 @@ fn level(index: usize, cells: usize, certificate: Certificate, errors: Errors, b
         solution_h1: None,
         solution_trace: None,
         contact: None,
+        second: None,
     }
 }

@@ -13,8 +13,13 @@ mod overlay;
 mod partial;
 mod profile;
 mod reference;
+mod refusal;
+mod refused;
+mod slide;
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod tied;
 pub mod timing;
 #[cfg(test)]
 mod twins;
@@ -28,12 +33,14 @@ use crate::record::{Level, Reference, SCHEMA, StudyRecord, ZoneProfile};
 use crate::reference::overkill::Overkill;
 use crate::study::{Case, ReferencePlan, Scene, Study, Subject};
 use crate::verdict::{self, JudgeInput};
+use check::check_level as level_without_solve;
 pub use check::{CheckedLevel, check_case, check_corners};
 use corners::corners_of;
 use level::Task;
 use partial::Partial;
 pub use partial::tidy;
 use rayon::prelude::*;
+pub use refusal::check_refusal;
 pub use signorini_contact::solver::Method;
 use signorini_contact::solver::Settings;
 use signorini_contact::zone::Zone;
@@ -118,6 +125,7 @@ pub fn each_case<T: Send>(
 /// Meaningless input: an exact solution that breaks its contact conditions, a load without equilibrium, …
 pub fn run_case(study: &Study, case: &Case, settings: &RunSettings, watch: &dyn Watch) -> Result<CaseRun, RunError> {
     match &case.subject {
+        Subject::Contact(scene) if case.refused => refusal::run_refused(study, case, scene, settings),
         Subject::Contact(scene) => run_contact(study, case, scene, settings, watch),
         Subject::Lemma(lemma) => run_lemma(study, case, lemma, settings, watch),
     }
@@ -163,6 +171,7 @@ fn run_contact(
     watch: &dyn Watch,
 ) -> Result<CaseRun, RunError> {
     verify_exact(case, scene)?;
+    slide::verify(scene, &study.claim.norm)?;
     let cells = cells_of(case, settings);
     let task = Task { case, scene, cells, settings: solver_settings(case, settings), constrain: Zone::new };
     let partial = Partial::open(study, case, settings, &task)?;
@@ -175,10 +184,14 @@ fn run_contact(
         watch.level_done(&study.id, &case.name, index);
         measured
     };
-    let (levels, times) = side_by_side(cells.len(), measure)?;
+    let measured: Vec<_> = (0..cells.len()).into_par_iter().map(measure).collect();
+    let refused::Parted { solved, refused } = refused::part(measured, cells)?;
+    let (levels, times) = solved.into_iter().unzip();
     let reference = reference::describe(case, overkill.as_ref().map(|(o, _)| o), &task);
     let zone = overkill.as_ref().and_then(|(o, _)| reference::zone(scene, o));
-    let record = conclude(study, case, settings, levels, reference, zone)?;
+    let mut record = conclude(study, case, settings, levels, reference, zone)?;
+    record.verdict = refused::doubted(record.verdict, &refused);
+    record.notes.extend(refused.into_iter().chain(level::bilateral::note(&record.levels)));
     Ok(CaseRun { record, times, reference_times: overkill.map(|(_, t)| t), kept: partial })
 }
 
@@ -212,7 +225,7 @@ fn verify_exact(case: &Case, scene: &Scene) -> Result<(), RunError> {
             Ok(())
         };
     };
-    verify::verify(exact.solution.as_ref(), &exact.materials, &scene.contact)
+    verify::verify_tied(exact.solution.as_ref(), &exact.materials, &scene.contact, &scene.bilateral)
         .map(|_| ())
         .map_err(|e| RunError::Exact(e.to_string()))
 }
@@ -257,7 +270,10 @@ fn conclude(
     }
     let zone = levels.last_mut().and_then(|level| level.contact.as_mut()?.profile.take());
     verdict::exclude_levels(&mut levels, &case.gates);
-    let rates = rate::all(&levels, &claim.norm);
+    let mut rates = rate::all(&levels, &claim.norm);
+    if let Some(rate) = rates.get_mut(&claim.norm).filter(|_| case.borderline) {
+        rate.log_alternatives = rate::log_alternatives(&levels, &claim.norm, rate);
+    }
     let corners = corners_of(case, cells_of(case, settings), of_reference.as_ref().or(zone.as_ref()))?;
     let bounds = corners::bounds(case, &corners);
     let verdict = verdict::judge(&JudgeInput {
@@ -303,6 +319,7 @@ fn conclude(
         zone,
         corners,
         extrapolation,
+        refusal: None,
     })
 }
 

@@ -1,6 +1,6 @@
 //! Errors that fall from level to level by a stated factor; the rate is reported, not gated.
 
-use super::{JudgeInput, fail, inconclusive, ledger, pass};
+use super::{JudgeInput, chain, fail, inconclusive, ledger, pass};
 use crate::claim::quantity::in_words;
 use crate::rate::{self, Point};
 use crate::record::Verdict;
@@ -26,6 +26,10 @@ pub(super) fn judge(input: &JudgeInput) -> Verdict {
     }
     let slowest = points.windows(2).map(factor).fold(0.0, f64::max);
     let mut reasons = vec![format!("each {words} error is at most {slowest:.3} of the level before")];
+    let links = chain::links(input);
+    if input.norm == "energy_gap" && links > 0 {
+        reasons.push(format!("L(u) ≤ L(u_h) ≤ L(u_2h) on {links} pairs of nested levels"));
+    }
     reasons.extend(ledger::undecided(input));
     pass(reasons)
 }

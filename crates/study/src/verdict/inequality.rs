@@ -1,9 +1,10 @@
 //! An inequality that holds on every level.
 //!
-//! Two sorts: a quantity that must vanish (the claim names it, such as `penetration_l2`: Lemma 2.1), and the inequality
-//! between the terms of the ledger (the claim names `ledger`). Where a ledger is present it must hold in both.
+//! Three sorts: a quantity that must vanish (the claim names it, such as `penetration_l2`: Lemma 2.1), the inequality
+//! between the terms of the ledger (the claim names `ledger`), and Falk's splitting ([`splitting`](super::splitting)). Where a
+//! ledger is present it must hold in the first two.
 
-use super::{JudgeInput, fail, inconclusive, ledger, pass};
+use super::{JudgeInput, fail, inconclusive, ledger, pass, splitting};
 use crate::claim::quantity::in_words;
 use crate::record::Verdict;
 
@@ -12,7 +13,11 @@ pub const VANISHES: f64 = 1e-12;
 
 /// Rule of the kind `inequality`.
 pub(super) fn judge(input: &JudgeInput) -> Verdict {
-    if input.norm == "ledger" { ledger_holds(input) } else { vanishes(input) }
+    match input.norm {
+        "ledger" => ledger_holds(input),
+        "splitting" => splitting::holds(input),
+        _ => vanishes(input),
+    }
 }
 
 fn ledger_holds(input: &JudgeInput) -> Verdict {

@@ -11,11 +11,14 @@
 //! | `convergence` | the error falls from level to level | [`convergence`] |
 //! | `bounded` | the constant stays bounded | [`bounded`] |
 //! | `agreement` | the finest level agrees with a formula | [`agreement`] |
+//! | `certificate` | every solve ends, certified, as another solver ends it | [`certificate`] |
 //!
 //! Everything is read from the levels themselves. [`exclude_levels`] has marked those that may not enter.
 
 pub mod agreement;
 pub mod bounded;
+pub mod certificate;
+mod chain;
 pub mod convergence;
 pub mod doubt;
 pub mod exact;
@@ -24,6 +27,7 @@ pub mod inequality;
 mod ledger;
 mod monotone;
 pub mod rate;
+pub mod splitting;
 mod status;
 
 pub use exclude::exclude_levels;
@@ -60,10 +64,28 @@ impl<'a> JudgeInput<'a> {
 
 /// Judges a claim by what was measured.
 pub fn judge(input: &JudgeInput) -> Verdict {
+    if input.kind == ClaimKind::Certificate {
+        // a solve that does not end is no doubt there, but what the claim denies
+        return certificate::judge(input);
+    }
     let doubts = doubt::all(input);
     if !doubts.is_empty() {
         return inconclusive(doubts);
     }
+    doubted_by_energies(input, by_kind(input))
+}
+
+/// A chain of energies that is broken fails a claim on the energy and casts doubt on any other that would pass.
+fn doubted_by_energies(input: &JudgeInput, verdict: Verdict) -> Verdict {
+    let mut reasons = chain::broken(input);
+    if reasons.is_empty() || verdict.outcome == Outcome::Fail {
+        return verdict;
+    }
+    reasons.extend(verdict.reasons);
+    if input.norm == "energy_gap" { fail(reasons) } else { inconclusive(reasons) }
+}
+
+fn by_kind(input: &JudgeInput) -> Verdict {
     match input.kind {
         ClaimKind::Rate => rate::judge(input),
         ClaimKind::Inequality => inequality::judge(input),
@@ -71,6 +93,7 @@ pub fn judge(input: &JudgeInput) -> Verdict {
         ClaimKind::Convergence => convergence::judge(input),
         ClaimKind::Bounded => bounded::judge(input),
         ClaimKind::Agreement => agreement::judge(input),
+        ClaimKind::Certificate => certificate::judge(input),
     }
 }
 

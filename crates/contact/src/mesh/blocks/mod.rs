@@ -23,6 +23,10 @@ pub enum Pattern {
     CrissCross,
     /// In two, the diagonals alternating like the fields of a chessboard; cell (0, 0) is cut as in `Structured`.
     UnionJack,
+    /// In two, with every other row of nodes moved by half a cell along itself, so that cells that are flat across the rows are cut
+    /// into triangles with an obtuse angle. The direction counts the rows: 0 for rows one after the other along `0 → 1`, 1 along
+    /// `0 → 3`. Nodes on the sides of a block stay.
+    Staggered(usize),
 }
 
 /// A quadrilateral with convex corners and its division into cells.
@@ -127,6 +131,16 @@ impl BlockMap<'_> {
         self.at(graded(i, nx, gx), graded(j, ny, gy))
     }
 
+    /// The same in a staggered pattern whose rows are counted by `direction`.
+    fn staggered_node(&self, i: usize, j: usize, direction: usize) -> Point {
+        let cells = self.block.cells;
+        let at = [i, j];
+        let moved = at[direction] % 2 == 1 && (0..2).all(|d| 0 < at[d] && at[d] < cells[d]);
+        let shift = |d: usize| if moved && d != direction { 0.5 } else { 0.0 };
+        let share = |d: usize| grade((at[d] as f64 + shift(d)) / cells[d] as f64, self.block.grading[d]);
+        self.at(share(0), share(1))
+    }
+
     /// The middle of the cell `(i, j)`.
     fn centre(&self, i: usize, j: usize) -> Point {
         let [nx, ny] = self.block.cells.map(|n| n as f64);
@@ -173,11 +187,17 @@ pub fn triangulate(blocks: &[QuadBlock], pattern: Pattern) -> Result<Triangulati
     let mut mesh = Triangulation::default();
     for (number, block) in blocks.iter().enumerate() {
         let map = block.map();
-        let nodes = frame.number_nodes(number, block.cells, &|i, j| map.node(i, j), &mut mesh.points);
+        let place = |i, j| match pattern {
+            Pattern::Staggered(direction) => map.staggered_node(i, j, direction),
+            _ => map.node(i, j),
+        };
+        let nodes = frame.number_nodes(number, block.cells, &place, &mut mesh.points);
         let add: fn(&mut Triangulation, &BlockMap, &[u32]) = match pattern {
             Pattern::Structured => add_structured,
             Pattern::CrissCross => add_criss_cross,
             Pattern::UnionJack => add_union_jack,
+            Pattern::Staggered(0) => |mesh, map, nodes| add_staggered(mesh, map, nodes, |i, _| i),
+            Pattern::Staggered(_) => |mesh, map, nodes| add_staggered(mesh, map, nodes, |_, j| j),
         };
         add(&mut mesh, &map, &nodes);
     }
@@ -218,6 +238,16 @@ fn add_union_jack(mesh: &mut Triangulation, map: &BlockMap, nodes: &[u32]) {
         mesh.triangles.extend(match (i + j) % 2 {
             0 => [[a, b, c], [a, c, d]],
             _ => [[a, b, d], [b, c, d]],
+        });
+    }
+}
+
+/// Each cell is cut by the diagonal that makes its two triangles isosceles.
+fn add_staggered(mesh: &mut Triangulation, map: &BlockMap, nodes: &[u32], row: fn(usize, usize) -> usize) {
+    for (i, j, [a, b, c, d]) in cells(map.block, nodes) {
+        mesh.triangles.extend(match row(i, j) % 2 {
+            0 => [[a, b, d], [b, c, d]],
+            _ => [[a, b, c], [a, c, d]],
         });
     }
 }

@@ -161,6 +161,7 @@ impl<'a> Refiner<'a> {
             contact: (0..mesh.contact.len()).flat_map(|c| self.contact_halves(c)).collect(),
             curved: self.curved_halves(),
             direction: mesh.direction,
+            initial_gap: mesh.initial_gap.clone(),
         };
         (fine, parents)
     }

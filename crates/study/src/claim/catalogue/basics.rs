@@ -7,22 +7,22 @@ use crate::record::ClaimKind;
 pub(super) const ENTRIES: &[Entry] = &[
     Entry {
         id: "lemma-1-1",
-        standing: Standing::NotYet,
+        standing: Standing::Landed,
         statement: "A(u−u_h, u−u_h) ≤ f(u−v_h) + f(u_h−v) + A(u_h−u, v_h−u) + A(u, v−u_h) + A(u, v_h−u) for all v ∈ K, v_h ∈ K_h",
         hypotheses: &["K and K_h closed and convex"],
         kind: ClaimKind::Inequality,
-        norm: "ledger",
+        norm: "splitting",
         paper: None,
         today: None,
         sources: &["Lemma 1.1, (1.1): Falk's splitting of the error"],
     },
     Entry {
         id: "remark-1-1",
-        standing: Standing::NotYet,
+        standing: Standing::Landed,
         statement: "with v = u_h the terms f(u_h−v) and A(u, v−u_h) of the splitting vanish",
         hypotheses: &["K_h ⊂ K"],
         kind: ClaimKind::Inequality,
-        norm: "ledger",
+        norm: "splitting",
         paper: None,
         today: None,
         sources: &["Remark 1.1, (1.2)"],
@@ -42,11 +42,11 @@ pub(super) const ENTRIES: &[Entry] = &[
     },
     Entry {
         id: "remark-1-3",
-        standing: Standing::NotYet,
+        standing: Standing::Landed,
         statement: "½A(u−u_h, u−u_h) ≤ f(u−v_h) + f(u_h−v) + ½A(v_h−u, v_h−u) + A(u, v−u_h) + A(u, v_h−u) for all v ∈ K, v_h ∈ K_h",
         hypotheses: &["K and K_h closed and convex"],
         kind: ClaimKind::Inequality,
-        norm: "ledger",
+        norm: "splitting",
         paper: None,
         today: None,
         sources: &["Remark 1.3, with A(u,v) ≤ ½A(u,u) + ½A(v,v) in place of the printed equality"],
@@ -70,7 +70,7 @@ pub(super) const ENTRIES: &[Entry] = &[
     },
     Entry {
         id: "theorem-1-2",
-        standing: Standing::NotYet,
+        standing: Standing::Landed,
         statement: "L(u_h) → L(u) and |u − u_h| → 0",
         hypotheses: &[
             "A(v,v) ≥ γ|v|² (1.5), u unique",
@@ -112,7 +112,7 @@ pub(super) const ENTRIES: &[Entry] = &[
     },
     Entry {
         id: "remark-1-6",
-        standing: Standing::NotYet,
+        standing: Standing::Landed,
         statement: "under Theorem 1.2 with K_h ⊂ K also ‖u − u_h‖_1 → 0",
         hypotheses: &["K_h ⊂ K", "those of Theorem 1.2, L coercive on K"],
         kind: ClaimKind::Convergence,

@@ -52,6 +52,19 @@ impl CurvedPart {
         squares.l2 += 2.0 * d.iter().zip(&self.element.moments).map(|(d, m)| d.dot(m)).sum::<f64>();
         squares
     }
+
+    /// `A(w, φ_k e_p)` for the three nodes.
+    pub fn forces(&self, material: &Material) -> [Vec2; 3] {
+        let c = material.matrix();
+        self.moments.map(|m| {
+            // ∫ τ_a ∂_q φ_k, with a = 11, 22, 12
+            let stress = |a: usize, q: usize| -> f64 {
+                let strain = |b: usize| ENTRIES[b].iter().map(|&(i, j)| m[i][j][q]).sum::<f64>();
+                (0..3).map(|b| c[a][b] * strain(b)).sum()
+            };
+            Vec2::new(stress(0, 0) + stress(2, 1), stress(2, 0) + stress(1, 1))
+        })
+    }
 }
 
 impl AddAssign for CurvedPart {

@@ -15,6 +15,7 @@ mod element;
 #[cfg(test)]
 mod tests;
 
+use crate::splitting::Forms;
 use crate::study::{ExactScene, PartCondition, Scene};
 use contact::ContactLoad;
 use curved::CurvedPart;
@@ -57,7 +58,7 @@ pub struct Integrals {
     curved: BTreeMap<u32, CurvedPart>,
 }
 
-/// The same integrals by two quadratures, the second one refinement finer on every element.
+/// The same integrals by two quadratures, the second of higher degree or one refinement finer on every element.
 pub struct Pair {
     /// The coarser one: what the quadrature error is measured against.
     pub base: Integrals,
@@ -82,7 +83,7 @@ impl Pair {
         let cubature = Cubature { grading: ADAPTIVE_GRADING, ..scene.cubature(0, fixed) };
         let element = |t: usize| ElementIntegrand::new(scene, exact, mesh, interpolant, t);
         let rough = |t: usize| {
-            if mesh.curved.of(t).is_some() { 0.0 } else { element(t).once(&cubature).interpolation.energy }
+            if mesh.curved.of(t).is_some() { 0.0 } else { element(t).rough_energy(&cubature) }
         };
         let total = ordered_sum(mesh.triangles.len(), rough);
         let share = total * f64::min(SMALLEST_SHARE, 1.0 / mesh.triangles.len() as f64);
@@ -190,6 +191,23 @@ impl Integrals {
                 None => self.elements[t].error(mesh, material, t, nodal),
             }
         })
+    }
+
+    /// `A` and `f` on nodal fields and on `u`, by this quadrature: `A(u, φ_i) = A(w, φ_i) + A(u_I, φ_i)` with `w = u − u_I`.
+    pub fn forms<'a>(&self, mesh: &'a Mesh, materials: &'a [Material; 2], interpolant: &[Vec2]) -> Forms<'a> {
+        let mut stresses = assembly::internal_forces(mesh, materials, interpolant);
+        for (t, corners) in mesh.triangles.iter().enumerate() {
+            let material = &materials[mesh.body(t).index()];
+            let forces = match self.curved.get(&(t as u32)) {
+                Some(part) => part.forces(material),
+                None => self.elements[t].forces(mesh, material, t),
+            };
+            corners.iter().zip(forces).for_each(|(&i, f)| stresses[i as usize] += f);
+        }
+        let energy = self.solution.energy;
+        // L(u) = ½A(u,u) − f(u)
+        let work = 0.5 * energy - self.energy;
+        Forms { mesh, materials, loads: self.load.clone(), stresses, work, energy }
     }
 
     /// `∫_{Γ_K} T_n [v]_n ds`, or across a gap `∫ T_ξ (v''_ξ − v'_ξ − ε) dη`, for a nodal field.

@@ -122,6 +122,11 @@ fn greens_formula_holds_for_nodal_fields() {
             }
         }
         let work: f64 = s.fine.load.iter().zip(&w).map(|(f, w)| f.dot(w)).sum();
+        let forms = s.fine.forms(mesh, &s.case.scene().unwrap().materials, &s.interpolant);
+        close(energy, forms.stress(&w), 1e3 * tolerance, study);
+        assert!(
+            (forms.load(&w) - work).abs() < 1e-14 && (forms.work - (0.5 * forms.energy - s.fine.energy)).abs() < 1e-14
+        );
         // the functionals of w − u, less their values for w = 0
         let zero = vec![Vec2::zeros(); w.len()];
         let reactions = s.fine.reaction_work(&w) - s.fine.reaction_work(&zero);

@@ -26,7 +26,8 @@ pub(super) struct ExactMeasurement<'a> {
 }
 
 impl ExactMeasurement<'_> {
-    pub fn fill(&self, level: &mut Level, contact: &ContactErrors) {
+    /// Fills the level in and gives `A(e,e)` by the two quadratures.
+    pub fn fill(&self, level: &mut Level, contact: &ContactErrors) -> [f64; 2] {
         let materials = &self.task.scene.materials;
         let (discrete, solution) = (&self.solved.discrete, &self.solved.solution);
         let d = differences(self.interpolant, &solution.displacement);
@@ -52,6 +53,7 @@ impl ExactMeasurement<'_> {
             unresolved: None,
         };
         level.ledger = Some(self.ledger(&base, &fine));
+        [base.energy, fine.energy]
     }
 
     /// `A(e,e) = 2(L(u_h) − L(u)) − 2∫_{Γ_K} T_n [u_h]_n ds − 2∫_{Γ_u} τ(u)n·(u_h − u) ds`.

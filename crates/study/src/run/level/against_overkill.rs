@@ -9,6 +9,7 @@ use signorini_contact::mesh::Mesh;
 use signorini_contact::{Vec2, qp};
 
 impl Task<'_> {
+    /// Fills the level in and gives `A(e,e)`.
     pub(super) fn fill_from_overkill(
         &self,
         level: &mut Level,
@@ -17,7 +18,7 @@ impl Task<'_> {
         mesh: &Mesh,
         solved: &Solved,
         coarse_load: &[Vec2],
-    ) {
+    ) -> f64 {
         let materials = &self.scene.materials;
         let (discrete, solution) = (&solved.discrete, &solved.solution);
         let fine_mesh = reference.hierarchy.finest();
@@ -34,13 +35,15 @@ impl Task<'_> {
         let by_energies = 2.0 * gap - 2.0 * reference.contact_work(&v);
         level.two_way = relative_difference(error.energy, by_energies, reference.solution.strain_energy);
         let b = reference.contact_work(&u_i);
+        // nested constraint sets leave nothing between the nodes but rounding
+        let c = self.scene.initial_gap.as_ref().map_or(0.0, |_| reference.penetration_work(&v));
         let work = |load: &[Vec2], u: &[Vec2]| load.iter().zip(u).map(|(f, u)| f.dot(u)).sum::<f64>();
         let load_gap = (work(&discrete.load, &solution.displacement) - work(&reference.discrete.load, &v)).abs();
         let load_change = dual_norm(discrete, &differences(&discrete.load, coarse_load));
         let delta = load_gap + 1e-14 * reference.solution.strain_energy;
         level.ledger = Some(ledger(
             0.5 * error.energy,
-            [0.5 * interpolation.energy, b, 0.0],
+            [0.5 * interpolation.energy, b, c],
             delta,
             reference.solution.strain_energy,
         ));
@@ -52,5 +55,6 @@ impl Task<'_> {
             reference: None,
             unresolved: None,
         };
+        error.energy
     }
 }

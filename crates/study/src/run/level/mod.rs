@@ -3,11 +3,16 @@
 mod against_exact;
 mod against_located;
 mod against_overkill;
+pub(super) mod bilateral;
 mod defects;
+mod discretise;
+mod inside;
 #[cfg(test)]
 mod located_tests;
 mod parts;
 mod projection;
+mod second;
+mod splitting;
 #[cfg(test)]
 mod tests;
 
@@ -21,7 +26,7 @@ use crate::reference::exact::Pair;
 use crate::reference::overkill::Overkill;
 use crate::study::{Case, ExactScene, Scene};
 use against_exact::ExactMeasurement;
-use defects::with_normals;
+use inside::is_inside;
 use signorini_contact::mesh::Mesh;
 use signorini_contact::problem::{Discrete, Problem, Solution, Support};
 use signorini_contact::qp;
@@ -29,6 +34,7 @@ use signorini_contact::quadrature::Cubature;
 use signorini_contact::solver::{Prepared, Settings};
 use signorini_contact::zone::{Zone, side_length};
 use signorini_contact::{Vec2, assembly, norm};
+use splitting::Measured;
 
 /// A solved level: what every measurement starts from.
 struct Solved {
@@ -66,20 +72,20 @@ impl Task<'_> {
         let interpolant: Vec<Vec2> =
             mesh.points.iter().zip(&mesh.node_bodies).map(|(x, body)| exact.solution.value(*body, *x)).collect();
         let fixed = self.case.fixed_quadrature;
-        let Pair { base, fine } = Pair::new(self.scene, exact, mesh, &interpolant, fixed)?;
+        let pair = Pair::new(self.scene, exact, mesh, &interpolant, fixed)?;
+        let Pair { base, fine } = &pair;
         let cubature = self.scene.cubature(1, fixed);
         let supports = self.scene.supports();
         let problem = self.problem(mesh, &supports, &cubature);
-        let zone = with_normals((self.constrain)(mesh), mesh, &self.scene.discretisation);
         let load = if self.case.projects { fine.projection_load() } else { fine.load.clone() };
-        let discrete = problem.discretise_zone(load, zone)?;
+        let discrete = self.scene.discretise(&problem, load, (self.constrain)(mesh))?;
         watch.lap(|t| &mut t.assembly);
         let solved = self.solve(&problem, discrete, &mut watch);
         let measured = ExactMeasurement {
             task: self,
             mesh,
-            base: &base,
-            fine: &fine,
+            base,
+            fine,
             exact,
             cubature: &cubature,
             interpolant: &interpolant,
@@ -87,7 +93,10 @@ impl Task<'_> {
         };
         let contact = contact::against_exact(exact, mesh, &solved.state, &cubature);
         let mut level = self.level(index, &meshed, &solved);
-        measured.fill(&mut level, &contact);
+        let squares = measured.fill(&mut level, &contact);
+        if let Some(splitting) = self.splitting(&meshed, &solved, &level) {
+            level.splitting = splitting.against_exact(&pair, &interpolant, squares)?;
+        }
         if self.case.projects {
             projection::of_exact(&mut level, fine.solution.energy);
         }
@@ -114,14 +123,22 @@ impl Task<'_> {
         let coarse_load = assembly::loads(mesh, &supports, self.scene, &cubature)?;
         let projected = at.filter(|_| self.case.projects);
         let discrete = match projected {
-            Some(at) => problem.discretise_with(reference.projection_load(&self.scene.materials, at))?,
-            None => problem.discretise()?,
+            Some(at) => {
+                let load = reference.projection_load(&self.scene.materials, at);
+                self.scene.discretise(&problem, load, Zone::new(mesh))?
+            }
+            None => self.discretise(&problem)?,
         };
         watch.lap(|t| &mut t.assembly);
         let solved = self.solve(&problem, discrete, &mut watch);
         let mut level = self.level(index, &meshed, &solved);
         match at {
-            Some(at) => self.fill_from_overkill(&mut level, reference, at, mesh, &solved, &coarse_load),
+            Some(at) => {
+                let square = self.fill_from_overkill(&mut level, reference, at, mesh, &solved, &coarse_load);
+                if let Some(splitting) = self.splitting(&meshed, &solved, &level) {
+                    level.splitting = splitting.against_overkill(reference, at, square)?;
+                }
+            }
             None => self.fill_from_located(&mut level, reference, mesh, &solved, &coarse_load),
         }
         if projected.is_some() {
@@ -140,7 +157,7 @@ impl Task<'_> {
         let supports = self.scene.supports();
         let cubature = self.scene.cubature(1, self.case.fixed_quadrature);
         let problem = self.problem(mesh, &supports, &cubature);
-        let discrete = problem.discretise()?;
+        let discrete = self.discretise(&problem)?;
         watch.lap(|t| &mut t.assembly);
         let solved = self.solve(&problem, discrete, &mut watch);
         let level = self.level(index, &meshed, &solved);
@@ -156,7 +173,7 @@ impl Task<'_> {
         let supports = scene.supports();
         let cubature = scene.cubature(0, self.case.fixed_quadrature);
         let problem = self.problem(hierarchy.finest(), &supports, &cubature);
-        let discrete = problem.discretise()?;
+        let discrete = self.discretise(&problem)?;
         watch.lap(|t| &mut t.assembly);
         let solved = self.solve(&problem, discrete, &mut watch);
         if !solved.solution.raw.status.is_solved() {
@@ -172,6 +189,12 @@ impl Task<'_> {
     fn problem<'b>(&'b self, mesh: &'b Mesh, supports: &'b [Support], cubature: &'b Cubature) -> Problem<'b> {
         let scene = self.scene;
         Problem { mesh, materials: scene.materials, supports, data: scene, cubature }
+    }
+
+    /// The problem with its loads and constraints, as the scene ties and fixes them.
+    fn discretise(&self, problem: &Problem) -> Result<Discrete, RunError> {
+        let load = assembly::loads(problem.mesh, problem.supports, problem.data, problem.cubature)?;
+        Ok(self.scene.discretise(problem, load, Zone::new(problem.mesh))?)
     }
 
     fn solve(&self, problem: &Problem, discrete: Discrete, watch: &mut Stopwatch) -> Solved {
@@ -195,10 +218,19 @@ impl Task<'_> {
         }
     }
 
+    /// What the splitting is measured with, if the case wants it.
+    fn splitting<'b>(&'b self, meshed: &'b MeshLevel, solved: &'b Solved, level: &Level) -> Option<Measured<'b>> {
+        let inside = level.inside == Some(true);
+        Some(Measured { task: self, plan: self.case.splitting?, hierarchy: &meshed.hierarchy, solved, inside })
+    }
+
     /// The part of a record that needs no reference.
     fn level(&self, index: usize, meshed: &MeshLevel, solved: &Solved) -> Level {
         let Solved { discrete, solution, state } = solved;
         let finest = meshed.hierarchy.finest();
+        let second = self.second_opinion(finest, solved);
+        let mut kkt = certificate(discrete, solution);
+        kkt.componentwise = kkt.componentwise.filter(|_| second.is_some());
         let with_profile = index + 1 == self.cells.len();
         let contact = profile::measure(self.scene, finest, discrete, solution, state, with_profile);
         let mut errors = Errors { penetration_l2: Some(state.penetration()), ..Default::default() };
@@ -224,12 +256,15 @@ impl Task<'_> {
             mesh_hash: meshed.hash.clone(),
             errors,
             ledger: None,
-            kkt: certificate(discrete, solution),
+            splitting: Vec::new(),
+            inside: Some(is_inside(self.scene, finest)),
+            kkt,
             budget: Budget::default(),
             solver: self.solver_record(solution),
             warnings: discrete.warnings.clone(),
             excluded: None,
             contact: Some(contact),
+            second,
         }
     }
 }
@@ -243,10 +278,12 @@ pub(super) fn certificate(discrete: &Discrete, solution: &Solution) -> Kkt {
     let c = qp::certify(&discrete.qp, &solution.raw.x, &solution.raw.multipliers, &scales);
     Kkt {
         stationarity: c.stationarity,
+        componentwise: Some(c.componentwise),
         penetration: c.penetration,
         tension: c.tension,
         complementarity: c.complementarity,
         weakly_active: c.weakly_active,
+        bilateral: bilateral::measure(discrete, solution, scales.displacement),
     }
 }
 

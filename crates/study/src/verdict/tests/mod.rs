@@ -5,9 +5,12 @@ use crate::record::{Ledger, Level};
 use crate::sample::{self, Noise};
 use Outcome::{Fail, Inconclusive, Pass};
 
+mod chain;
 mod doubt;
 mod kinds;
 mod rate;
+mod splitting;
+mod synthetic;
 
 const GATE_1: Bounds = Bounds { paper: Some(1.0), today: Some(1.0), expected: Some(1.0) };
 
