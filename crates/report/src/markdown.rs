@@ -72,7 +72,7 @@ const DRIFTING_TERMS: &str =
     "\n† Not asymptotic, the pairwise rates still drift; or scattered, and then no rate is shown.\n";
 const CORNER_LEGEND: &str = "Near a corner u ~ r^λ; given is the smallest Re λ below 1 of the local problem, with Im λ where the \
 solution oscillates. Angles and conditions counterclockwise. At the ends and corners of the contact zone every ray of it may be \
-open or closed without friction; → marks the state of the finest level, read off its pressure at the four nearest nodes along the \
+open or closed without friction; → marks the state of the finest discrete solution, the reference if there is one, read off its pressure at the four nearest nodes along the \
 ray. Where they disagree the smallest exponent counts.";
 const CONTACT_LEGEND: &str = "Active: constraints whose multiplier exceeds 1e-8 of the largest. Contact set: length of \
 the symmetric difference with the reference's. Switch point: largest distance of one of the reference's switch points from the nearest discrete one.";
