@@ -86,7 +86,8 @@ impl TraceDraw {
             pressed_first,
             common: Wave::draw(dice),
             slips: [Wave::draw(dice), Wave::draw(dice)],
-            share: dice.between(0.0, 1.0),
+            // three decimals, not three digits: the rest 1 − share is then as short, and the two add up to 1
+            share: (1000.0 * dice.between(0.0, 1.0)).round() / 1000.0,
         }
     }
 
