@@ -3,7 +3,10 @@
 use crate::args::CheckArgs;
 use crate::failure::Failure;
 use crate::run::{load, profile};
-use signorini_study::run::{CheckedLevel, check_case};
+use signorini_study::error::RunError;
+use signorini_study::record::Corner;
+use signorini_study::run::{CheckedLevel, Profile, check_case, check_corners, check_refusal};
+use signorini_study::study::{Case, Study};
 
 /// Prints what each case would do, level by level.
 pub fn check(args: &CheckArgs) -> Result<u8, Failure> {
@@ -11,14 +14,25 @@ pub fn check(args: &CheckArgs) -> Result<u8, Failure> {
         sayln!("{}: {} ({})", study.id, study.title, study.claim.statement);
         study.claim.hypotheses.iter().for_each(|h| sayln!("  needs: {h}"));
         for case in &study.cases {
-            let levels = check_case(case, profile(args.profile))
-                .map_err(|e| Failure::of_run(&study, &e.in_case(&study, case)))?;
-            sayln!("  {}: {} family, {} levels", case.name, case.family_name(), levels.len());
-            levels.iter().for_each(print_level);
+            check_one(&study, case, profile(args.profile))?;
         }
     }
     sayln!("sound: everything but the solve was tried");
     Ok(0)
+}
+
+fn check_one(study: &Study, case: &Case, profile: Profile) -> Result<(), Failure> {
+    let mend = |e: RunError| Failure::of_run(study, &e.in_case(study, case));
+    if let Some(refusal) = check_refusal(case, profile).map_err(mend)? {
+        sayln!("  {}: {} of {} levels refused, as all should be", case.name, refusal.refused, refusal.levels);
+        refusal.message.iter().for_each(|m| sayln!("      {m}"));
+        return Ok(());
+    }
+    let levels = check_case(case, profile).map_err(mend)?;
+    sayln!("  {}: {} family, {} levels", case.name, case.family_name(), levels.len());
+    levels.iter().for_each(print_level);
+    check_corners(case, profile).map_err(mend)?.iter().for_each(print_corner);
+    Ok(())
 }
 
 fn print_level(l: &CheckedLevel) {
@@ -37,4 +51,9 @@ fn print_level(l: &CheckedLevel) {
         }
     );
     l.warnings.iter().for_each(|w| sayln!("      warning: {w}"));
+}
+
+fn print_corner(corner: &Corner) {
+    let [x, y] = corner.point;
+    sayln!("    corner ({x:.4}, {y:.4}): {}; exponent {}", corner.describe(), corner.describe_states());
 }

@@ -43,7 +43,7 @@ impl Surroundings {
     }
 }
 
-/// `Tᵀ A T` with an identity row and column for every fixed component.
+/// `Tᵀ A T`; a fixed component keeps nothing but a diagonal entry, the largest of the others, so that no unit enters the matrix.
 pub fn stiffness(mesh: &Mesh, materials: &[Material; 2], basis: &Basis) -> BlockMatrix {
     let around = Surroundings::new(mesh);
     let partner = partners(basis);
@@ -61,7 +61,23 @@ pub fn stiffness(mesh: &Mesh, materials: &[Material; 2], basis: &Basis) -> Block
         }
         matrix.row_start.push(matrix.columns.len());
     }
+    fill_fixed(&mut matrix, basis);
     matrix
+}
+
+/// The diagonal entries of the fixed components.
+fn fill_fixed(matrix: &mut BlockMatrix, basis: &Basis) {
+    let diagonal = |i: usize| matrix.diagonal_block(i / 2)[3 * (i % 2)];
+    let free = (0..basis.fixed.len()).filter(|&i| !basis.fixed[i]);
+    let largest = free.map(diagonal).fold(0.0, f64::max);
+    let entry = if largest > 0.0 { largest } else { 1.0 };
+    for row in 0..matrix.rows() {
+        let stored = matrix.row_start[row]..matrix.row_start[row + 1];
+        let Some(k) = stored.into_iter().find(|&k| matrix.columns[k] as usize == row) else { continue };
+        for i in (0..2).filter(|i| basis.fixed[2 * row + i]) {
+            matrix.blocks[k][3 * i] = entry;
+        }
+    }
 }
 
 /// For each slot, the nodes whose displacement depends on it: itself, and its partner in a pair.
@@ -126,12 +142,12 @@ fn add_block(row: &mut Vec<(u32, [f64; 4])>, column: u32, block: &[f64; 4]) {
     }
 }
 
-/// Zero where the row's or the column's component is fixed; one on the diagonal there.
+/// Zero where the row's or the column's component is fixed.
 fn fix_components(basis: &Basis, row: usize, column: usize, block: &mut [f64; 4]) {
     for (entry, value) in block.iter_mut().enumerate() {
         let (i, j) = (2 * row + entry / 2, 2 * column + entry % 2);
         if basis.fixed[i] || basis.fixed[j] {
-            *value = f64::from(u8::from(i == j));
+            *value = 0.0;
         }
     }
 }

@@ -50,10 +50,11 @@
 //!
 //! The crate is the mathematics alone: it opens no file, reads no clock, prints nothing and knows no study.
 //! The modules in reading order: [`geometry`], [`quadrature`], [`material`], [`mesh`], [`element`], [`zone`],
-//! [`basis`], [`data`], [`assembly`], [`sparse`], [`qp`], [`solver`], [`rigid`], [`problem`], [`norm`].
+//! [`basis`], [`data`], [`assembly`], [`sparse`], [`qp`], [`solver`], [`rigid`], [`problem`], [`norm`], [`corner`].
 
 pub mod assembly;
 pub mod basis;
+pub mod corner;
 pub mod data;
 pub mod element;
 pub mod error;

@@ -1,14 +1,18 @@
 //! A contact problem on a mesh: from bodies and loads to the bound-constrained problem, and back to displacements.
 
+mod slide;
+
+pub use slide::SlideCondition;
+
 use crate::basis::{Basis, BoundOrigin, NodeSupport};
 pub use crate::data::{Data, Support, Unloaded};
 use crate::geometry::{Vec2, cross, tangent_of};
 use crate::material::Material;
 use crate::mesh::Mesh;
-use crate::qp::BoundQp;
+use crate::qp::{self, BoundQp};
 use crate::quadrature::Cubature;
 use crate::solver::{self, QpSolution};
-use crate::zone::Zone;
+use crate::zone::{ContactPair, Zone};
 use crate::{Error, assembly, norm, rigid};
 
 /// Two bodies in contact, discretised on a mesh.
@@ -45,7 +49,8 @@ pub struct Discrete {
 pub struct Solution {
     /// Nodal displacements.
     pub displacement: Vec<Vec2>,
-    /// The multiplier of each constraint of each pair (zero where the constraint was dropped), a force.
+    /// The multiplier of each constraint of each pair (zero where the constraint was dropped), a force; negative only where
+    /// a bilateral constraint is in tension.
     pub contact_forces: Vec<Vec<f64>>,
     /// `L(u_h)`.
     pub energy: f64,
@@ -70,6 +75,7 @@ impl Problem<'_> {
     /// be pairs of this mesh, each with one or two constraints, and its sides the mesh's contact sides.
     pub fn discretise_zone(&self, load: Vec<Vec2>, zone: Zone) -> Result<Discrete, Error> {
         self.refuse_non_finite(&load)?;
+        self.refuse_bad_gaps(&zone)?;
         self.mesh.check_curved()?;
         let nodes = self.node_supports()?;
         let mut basis = Basis::new(&nodes);
@@ -82,13 +88,14 @@ impl Problem<'_> {
         let matrix = assembly::stiffness(self.mesh, &self.materials, &basis);
         let reaction = assembly::internal_forces(self.mesh, &self.materials, &basis.offset);
         let net: Vec<Vec2> = load.iter().zip(&reaction).map(|(f, r)| f - r).collect();
-        let qp = BoundQp {
+        let mut qp = BoundQp {
             matrix,
             load: basis.force(&net),
             bounds: tied.iter().map(|(bound, _)| *bound).collect(),
             kernel: balance.kernel.iter().map(|y| basis.coordinates(y)).collect(),
             conditions: balance.kernel.iter().map(|y| mean_condition(self.mesh, &basis, y)).collect(),
         };
+        qp::remove_imbalance(&mut qp);
         let warnings = zone.warnings.iter().cloned().chain(balance.remarks).collect();
         Ok(Discrete { basis, zone, qp, origins: tied.into_iter().map(|(_, o)| o).collect(), load, warnings })
     }
@@ -111,15 +118,38 @@ impl Problem<'_> {
         }
     }
 
+    fn refuse_bad_gaps(&self, zone: &Zone) -> Result<(), Error> {
+        let gap_of = |pair: &ContactPair| pair.constraints.iter().map(|c| c.gap).find(|g| !g.is_finite());
+        match zone.pairs.iter().find_map(|p| Some((p.first, gap_of(p)?))) {
+            None => Ok(()),
+            Some((node, gap)) => Err(Error::Load(format!(
+                "the initial gap at ({}, {}) is {gap}, which is no length; check its expression there",
+                self.mesh.points[node as usize].x, self.mesh.points[node as usize].y
+            ))),
+        }
+    }
+
+    /// Differences of prescribed displacements below this are rounding: of the data, or of the coordinates they are computed
+    /// from.
+    fn rounding_of_data(&self) -> f64 {
+        let mut largest = 0.0_f64;
+        self.each_side_end(Support::Fixed, |node, _, part| {
+            largest = largest.max(self.data.displacement(part, self.mesh.points[node]).norm());
+        });
+        let extent = self.mesh.points.iter().map(|x| x.norm()).fold(0.0, f64::max);
+        1e-10 * largest + 1e-14 * extent
+    }
+
     /// What each node may do, from the parts that its sides belong to.
     fn node_supports(&self) -> Result<Vec<NodeSupport>, Error> {
         let mut nodes = vec![NodeSupport::unsupported(); self.mesh.points.len()];
         self.each_side_end(Support::Sliding, |node, normal, _| slide(&mut nodes[node], normal));
         let mut fixed = vec![false; nodes.len()];
         let mut clash = None;
+        let rounding = self.rounding_of_data();
         self.each_side_end(Support::Fixed, |node, _, part| {
             let offset = self.data.displacement(part, self.mesh.points[node]);
-            if fixed[node] && (offset - nodes[node].offset).norm() > 1e-10 * (1.0 + offset.norm()) {
+            if fixed[node] && (offset - nodes[node].offset).norm() > rounding {
                 clash.get_or_insert((node, offset, nodes[node].offset));
             }
             (nodes[node], fixed[node]) = (NodeSupport { free: Vec::new(), offset }, true);
@@ -179,6 +209,23 @@ impl Discrete {
         self.basis.fixed.iter().filter(|f| !**f).count()
     }
 
+    /// The multiplier of each bilateral constraint, of either sign: what the equation of its component lacks,
+    /// `λ_c = (Tᵀ(f − A u_h))_c`.
+    pub fn held_forces(
+        &self,
+        mesh: &Mesh,
+        materials: &[Material; 2],
+        displacement: &[Vec2],
+    ) -> Vec<(BoundOrigin, f64)> {
+        if self.basis.held.is_empty() {
+            return Vec::new();
+        }
+        let internal = assembly::internal_forces(mesh, materials, displacement);
+        let rest: Vec<Vec2> = self.load.iter().zip(&internal).map(|(f, r)| f - r).collect();
+        let rest = self.basis.full_force(&rest);
+        self.basis.held.iter().map(|h| (h.origin, rest[h.dof as usize])).collect()
+    }
+
     /// Turns the answer of the quadratic problem into displacements, contact forces and energies.
     pub fn recover(&self, mesh: &Mesh, materials: &[Material; 2], raw: QpSolution) -> Solution {
         let displacement = self.basis.displacement(&raw.x);
@@ -186,6 +233,9 @@ impl Discrete {
             self.zone.pairs.iter().map(|p| vec![0.0; p.constraints.len()]).collect();
         for (origin, force) in self.origins.iter().zip(&raw.multipliers) {
             contact_forces[origin.pair][origin.constraint] = *force;
+        }
+        for (origin, force) in self.held_forces(mesh, materials, &displacement) {
+            contact_forces[origin.pair][origin.constraint] = force;
         }
         // L(u_h) = ½A(u_h,u_h) − f(u_h), the quadratic part element by element from strains.
         let strain_energy = norm::of_linear(mesh, materials, &displacement).energy;

@@ -8,9 +8,13 @@
 //! Nothing here knows of meshes, pairs or displacements.
 
 mod algebraic_error;
+mod backward;
+mod border;
 mod certificate;
 
 pub use algebraic_error::algebraic_error;
+pub(crate) use backward::backward_error;
+pub use border::remove_imbalance;
 pub use certificate::{Certificate, CertificateScales, certify};
 
 use crate::sparse::BlockMatrix;
@@ -24,8 +28,8 @@ pub struct Bound {
     pub upper: f64,
 }
 
-/// The problem. `K` is symmetric and positive semidefinite; a fixed component keeps an identity row and column and a
-/// zero load. Each dof carries at most one bound.
+/// The problem. `K` is symmetric and positive semidefinite; a fixed component keeps a diagonal
+/// entry of the size of the others, nothing beside it, and a zero load. Each dof carries at most one bound.
 #[derive(Clone, Debug, Default)]
 pub struct BoundQp {
     /// The matrix `K`.

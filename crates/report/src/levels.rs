@@ -5,7 +5,7 @@ use crate::formula;
 use crate::ledger;
 use crate::norm::{self, Norm, Trust};
 use crate::table::{Cell, Column, Row, Table};
-use signorini_study::record::{ClaimKind, Level, Rate, StudyRecord};
+use signorini_study::record::{ClaimKind, Level, Rate, SecondOpinion, StudyRecord};
 
 /// Norms that carry a pairwise rate (EOC) beside them in [`errors`].
 const WITH_RATE: [&str; 4] = ["energy", "strain", "h1", "l2"];
@@ -32,6 +32,11 @@ pub(crate) fn measured<'a>(key: &str, heading: &str, cell: impl Fn(&Level) -> Ce
     Measured { column: Column::new(key, heading), cell: Box::new(move |_, level| cell(level)) }
 }
 
+/// The same with a cell that depends on the position of the level too.
+pub(crate) fn measured_at<'a>(key: &str, heading: &str, cell: impl Fn(usize, &Level) -> Cell + 'a) -> Measured<'a> {
+    Measured { column: Column::new(key, heading), cell: Box::new(cell) }
+}
+
 /// Everything measured, one row per level: the table of CSV and JSON.
 pub fn all(record: &StudyRecord) -> Table {
     let mut columns = size_columns();
@@ -40,6 +45,7 @@ pub fn all(record: &StudyRecord) -> Table {
     columns.extend(formula::columns());
     columns.extend(ledger::columns(record));
     columns.extend(solution_columns());
+    columns.extend(second_columns(record));
     build(record, columns)
 }
 
@@ -68,6 +74,7 @@ pub fn contact(record: &StudyRecord) -> Table {
 pub fn solution(record: &StudyRecord) -> Table {
     let mut columns = vec![level_column()];
     columns.extend(solution_columns().into_iter().filter(|m| tells(record, &m.column.key)));
+    columns.extend(second_columns(record));
     let table = build(record, columns);
     // what belongs to a solution is not shown where there is none
     if has_solution(record) { table } else { without_empty(table) }
@@ -240,6 +247,27 @@ fn solution_columns() -> Vec<Measured<'static>> {
         solved("iterations", "iterations", |l| Cell::Count(l.solver.iterations)),
         measured("mesh_hash", "mesh", |l| Cell::text(&l.mesh_hash)),
     ]
+}
+
+/// What a second solver says; no columns where none was asked.
+fn second_columns(record: &StudyRecord) -> Vec<Measured<'static>> {
+    if record.levels.iter().all(|l| l.second.is_none()) {
+        return Vec::new();
+    }
+    vec![
+        measured("kkt_componentwise", "KKT row by row", |l| Cell::number(l.kkt.componentwise)),
+        second("second", "second solver", |s| Cell::text(&s.name)),
+        second("second_status", "its status", |s| Cell::text(&s.status)),
+        second("second_energy", "ΔL", |s| Cell::Number(s.energy_difference)),
+        second("second_displacement", "Δu", |s| Cell::Number(s.displacement_difference)),
+        second("second_active", "contact differs", |s| Cell::Count(s.active_difference)),
+        second("cancellation", "cancellation", |s| Cell::Number(s.cancellation)),
+    ]
+}
+
+/// A column of the second opinion.
+fn second(key: &str, heading: &str, cell: fn(&SecondOpinion) -> Cell) -> Measured<'static> {
+    measured(key, heading, move |l| l.second.as_ref().map_or(Cell::Missing, cell))
 }
 
 /// Intervals have no angle.

@@ -18,11 +18,15 @@
 //! ```
 //!
 //! Reading order: [`table`] (the one table model) · [`norm`] (what can be tabulated) · [`levels`], [`ledger`] (the tables
-//! of a case) · [`markdown`] (its page) · [`plot`] (its pictures) · [`verdict`], [`summary`] (all cases together), [`statements`] (the paper, statement by statement).
+//! of a case) · [`markdown`] (its page) · [`plot`] (its pictures) · [`verdict`], [`summary`] (all
+//! cases together), [`statements`] (the paper, statement by statement).
 
+pub mod corner;
 pub mod error;
+pub mod extrapolation;
 pub mod format;
 pub mod formula;
+pub mod hard;
 pub mod ledger;
 pub mod levels;
 pub mod markdown;
@@ -80,8 +84,8 @@ pub fn render(record: &StudyRecord, dir: &Path) -> Result<Vec<PathBuf>, ReportEr
     Ok(folder.written)
 }
 
-/// Writes `summary.md` and `summary.json` (one row per case, in the order of `records`) and `statements.md` (one row per
-/// statement of the paper) into `dir`. Returns the files written.
+/// Writes `summary.md`, `statements.md` (one row per statement of the paper), `hard.md` where there are hard cases, and
+/// `summary.json` (one row per case, in the order of `records`) into `dir`. Returns the files written.
 ///
 /// # Errors
 /// [`ReportError`] if a file cannot be written or a number is not finite.
@@ -89,6 +93,8 @@ pub fn render_summary(records: &[StudyRecord], dir: &Path) -> Result<Vec<PathBuf
     let mut folder = Folder::new(dir);
     folder.write("summary.md", summary_markdown(records).as_bytes())?;
     folder.write("statements.md", statements_markdown(records).as_bytes())?;
+    let hard = hard::page(records);
+    folder.write_or_remove("hard.md", hard.as_deref().map(str::as_bytes))?;
     folder.written.push(write_summary(dir, records)?);
     Ok(folder.written)
 }

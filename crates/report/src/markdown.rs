@@ -1,5 +1,7 @@
 //! The page of one case: question, claim, set-up, verdict, tables and pictures, in the order a reader asks.
 
+use crate::corner;
+use crate::extrapolation;
 use crate::format;
 use crate::formula;
 use crate::ledger;
@@ -36,6 +38,8 @@ pub fn page(record: &StudyRecord, pictures: Pictures) -> String {
         errors(record, pictures.rates),
         ledger_section(record, pictures),
         splitting(record),
+        table_section("Corners", &corner::table(record), &corners_legend(record)),
+        table_section("Energies", &extrapolation::table(record), &energies_legend(record)),
         table_section("Contact", &levels::contact(record), CONTACT_LEGEND),
         pressure(record, pictures.pressure),
         certificate(record),
@@ -64,6 +68,10 @@ const TERMS_LEGEND: &str = "Rates of absolute values, since the last change of s
 changing its sign, or scatters.";
 const DRIFTING_TERMS: &str =
     "\n† Not asymptotic, the pairwise rates still drift; or scattered, and then no rate is shown.\n";
+const CORNER_LEGEND: &str = "Near a corner u ~ r^λ; given is the smallest Re λ below 1 of the local problem, with Im λ where the \
+solution oscillates. Angles and conditions counterclockwise. At the ends and corners of the contact zone every ray of it may be \
+open or closed without friction; → marks the state of the finest level, read off its pressure at the four nearest nodes along the \
+ray. Where they disagree the smallest exponent counts.";
 const CONTACT_LEGEND: &str = "Active: constraints whose multiplier exceeds 1e-8 of the largest. Contact set: length of \
 the symmetric difference with the reference's. Switch point: largest distance of one of the reference's switch points from the nearest discrete one.";
 const FORMULA_LEGEND: &str = "The formula neglects something, the shape of the bodies far from the contact for instance, so \
@@ -96,6 +104,14 @@ fn table_section(title: &str, table: &Table, legend: &str) -> String {
         return String::new();
     }
     section(title, &format!("{}\n{legend}", table.to_markdown()))
+}
+
+fn corners_legend(record: &StudyRecord) -> String {
+    format!("{} {CORNER_LEGEND}", corner::sentence(record))
+}
+
+fn energies_legend(record: &StudyRecord) -> String {
+    record.extrapolation.as_ref().map_or_else(String::new, extrapolation::sentence)
 }
 
 /// Of a lemma there is only the mesh and its quadrature.
@@ -144,6 +160,7 @@ pub(crate) fn kind_words(kind: ClaimKind) -> &'static str {
         ClaimKind::Convergence => "convergence from level to level",
         ClaimKind::Bounded => "a bounded constant",
         ClaimKind::Agreement => "agreement on the finest level",
+        ClaimKind::Certificate => "a certified solve on every level, confirmed by a second solver",
     }
 }
 

@@ -5,7 +5,7 @@ use crate::norm::{self, judged_rate};
 use crate::regularity;
 use crate::table::{Cell, Column, Row, Table, text};
 use crate::verdict;
-use signorini_study::record::StudyRecord;
+use signorini_study::record::{ClaimKind, StudyRecord};
 
 /// Widest line of [`summary_text`].
 pub const TEXT_WIDTH: usize = 110;
@@ -22,6 +22,9 @@ pub fn summary_markdown(records: &[StudyRecord]) -> String {
     let reasons: Vec<String> = (records.iter().filter(|r| verdict::needs_reason(r)))
         .map(|r| format!("- **{}**, {}: {}\n", name(r), verdict::words(r), verdict::why(r)))
         .collect();
+    if records.iter().any(|r| r.kind == ClaimKind::Certificate) {
+        out += "\nThe hard cases have a page of their own: [hard.md](hard.md).\n";
+    }
     if !reasons.is_empty() {
         out += &format!("\n## Reasons\n\n{}", reasons.concat());
     }

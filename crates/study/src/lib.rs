@@ -3,9 +3,12 @@
 //! A study is data (TOML), a result is data (JSON), and everything between is a pure function of the two and a seed.
 
 pub mod claim;
+pub mod corner;
 pub mod error;
 pub mod exact;
 pub mod expr;
+pub mod extrapolation;
+pub mod falsify;
 pub mod family;
 pub mod file;
 mod finite;

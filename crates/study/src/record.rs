@@ -6,12 +6,24 @@ use crate::finite;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
+mod bilateral;
+mod corner;
 mod errors;
+mod extrapolation;
 mod ledger;
+mod log_alternative;
+mod refusal;
+mod second;
 mod splitting;
 mod zone;
+pub use bilateral::BilateralRecord;
+pub use corner::{Corner, CornerState, CornerWedge, RayState, corner_rate};
 pub use errors::Errors;
+pub use extrapolation::Extrapolation;
 pub use ledger::Ledger;
+pub use log_alternative::LogAlternative;
+pub use refusal::Refusal;
+pub use second::SecondOpinion;
 pub use splitting::{Estimate, Splitting};
 pub use zone::{ContactMeasure, FormulaValues, PressureSource, ReferencePressure, ZoneProfile};
 
@@ -76,6 +88,15 @@ pub struct StudyRecord {
     /// Pressure and gap along the contact zone on the finest level; none of a lemma, and not in records of older runs.
     #[serde(default)]
     pub zone: Option<ZoneProfile>,
+    /// The corners of a scene without exact solution and their exponents. Not in records of older runs, as the field below.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub corners: Vec<Corner>,
+    /// The energy that the levels' energies tend to, where `K_h ⊂ K` on nested meshes.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub extrapolation: Option<Extrapolation>,
+    /// Of a case that was to be refused: it has no levels.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub refusal: Option<Refusal>,
 }
 
 /// Which reference the errors are measured against.
@@ -179,6 +200,9 @@ pub struct Level {
     /// Force, width and pressure of the contact; none of a lemma, and not in records of older runs.
     #[serde(default)]
     pub contact: Option<ContactMeasure>,
+    /// What another solver says, where the study asks one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub second: Option<SecondOpinion>,
 }
 
 /// Scaled residuals of the optimality conditions (no units), recomputed from the raw data.
@@ -186,6 +210,9 @@ pub struct Level {
 pub struct Kkt {
     /// `‖f−Kx−λ‖_∞ / (‖K‖_∞‖x‖_∞ + ‖f‖_∞)`.
     pub stationarity: f64,
+    /// The same row by row, `max_i |f−Kx−λ|_i / (|K||x| + |f|)_i`; recorded where a second solver is asked.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub componentwise: Option<f64>,
     /// `max(x_c−g)_+ / max|u|`.
     pub penetration: f64,
     /// `max(−λ)_+ / max|λ|`.
@@ -194,6 +221,9 @@ pub struct Kkt {
     pub complementarity: f64,
     /// Constraints with `λ < 1e-8 max λ` and `g−x_c < 1e-8 max|u|`.
     pub weakly_active: usize,
+    /// The bilateral constraints, of which the residuals above know nothing; none without a bilateral part.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub bilateral: Option<BilateralRecord>,
 }
 
 /// What else than the discretisation may sit in the measured error, as shares of `errors.energy`.
@@ -201,7 +231,7 @@ pub struct Kkt {
 pub struct Budget {
     /// KKT residual in the energy norm.
     pub algebraic: Option<f64>,
-    /// Loads, error integrals and energies against a rule one refinement finer.
+    /// Loads, error integrals and energies against a finer rule.
     pub quadrature: Option<f64>,
     /// Domain replaced by its mesh; 0 on polygons.
     pub geometry: Option<f64>,
@@ -272,6 +302,9 @@ pub struct Rate {
     pub dofs_slope: f64,
     /// Whether the pairwise rates of the window have settled; if not, the window is the last four levels.
     pub asymptotic: bool,
+    /// Fits with a logarithm, where the study calls the regularity borderline.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub log_alternatives: Vec<LogAlternative>,
 }
 
 /// What a rate is held against; `None` where there is no such bound.
@@ -301,6 +334,8 @@ pub enum ClaimKind {
     Bounded,
     /// The difference from a formula is small on the finest level.
     Agreement,
+    /// Every solve ends solved, certified, and as another solver ends it.
+    Certificate,
 }
 
 /// Pass, fail or inconclusive. Ordered from best to worst, so the worst of several is their maximum.

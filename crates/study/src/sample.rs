@@ -62,6 +62,7 @@ pub(crate) fn level(k: usize, error: f64) -> Level {
         solution_h1: None,
         solution_trace: Some(1.0),
         contact: None,
+        second: None,
     }
 }
 
@@ -94,6 +95,9 @@ pub(crate) fn record(study: &str, case: &str, levels: Vec<Level>) -> StudyRecord
         expected_inconclusive: None,
         notes: Vec::new(),
         zone: None,
+        corners: Vec::new(),
+        extrapolation: None,
+        refusal: None,
     }
 }
 

@@ -15,6 +15,7 @@ impl Scene {
             shapes: &self.bodies,
             outlines: self.part_outlines(),
             contact: &self.contact,
+            initial_gap: self.initial_gap.as_ref(),
             discretisation: self.discretisation,
         }
     }

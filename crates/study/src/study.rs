@@ -7,7 +7,8 @@ use crate::lemma::Lemma;
 use crate::record::{Bounds, FormulaValues, Outcome};
 use crate::splitting::SplittingPlan;
 use signorini_contact::element::CurvedElement;
-use signorini_contact::geometry::SharedCurve;
+use signorini_contact::geometry::{InitialGap, SharedCurve};
+use signorini_contact::problem::SlideCondition;
 use signorini_contact::{Body, ContactLine, Material, Path, Point, Vec2, mesh, solver};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -51,16 +52,26 @@ pub struct Case {
     pub reference: ReferencePlan,
     /// Solver settings.
     pub solver: solver::Settings,
+    /// Who is asked for a second opinion on every level.
+    pub second: Option<solver::Method>,
     /// How sharply to judge.
     pub gates: Gates,
     /// The three bounds, with the case's own in place of the claim's where it states them.
     pub bounds: Bounds,
     /// Whether a rate above the expected one is reported and not gated.
     pub expected_is_asymptotic: bool,
+    /// Whether the expected rate is that of the scene's corners, filled in by the run.
+    pub expected_from_corners: bool,
+    /// Whether the levels project the reference onto `K_h` in the energy norm, in place of solving the scene's own problem.
+    pub projects: bool,
+    /// Whether the regularity is borderline: fits with a logarithm are then reported beside the rate.
+    pub borderline: bool,
     /// Numbers that define the case, for the record.
     pub parameters: BTreeMap<String, f64>,
     /// What a control expects.
     pub expect: Option<Outcome>,
+    /// Whether the scene has no solution and the case passes by being refused.
+    pub refused: bool,
     /// Why the case cannot be judged at the quick profile's sizes.
     pub inconclusive_at_quick: Option<String>,
     /// Falk's splitting, if it is measured.
@@ -171,6 +182,12 @@ pub struct Scene {
     pub parts: Vec<Part>,
     /// The contact zone.
     pub contact: ContactLine,
+    /// Numbers of the pieces of the zone where the bodies may not part, `Γ_K0`, ascending.
+    pub bilateral: Vec<usize>,
+    /// The condition that picks one solution where a body may slide; `None`: the program's own.
+    pub slide: Option<SlideCondition>,
+    /// The initial distance of the bodies along a straight common zone; none where they just touch.
+    pub initial_gap: Option<InitialGap>,
     /// How curved sides and the contact zone are discretised.
     pub discretisation: Discretisation,
     /// Body forces given by expressions; `None`: zero, or from the exact solution if there is one.

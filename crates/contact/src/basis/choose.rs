@@ -3,46 +3,61 @@
 use super::{NodeSupport, PairBlock};
 use crate::Error;
 use crate::geometry::{Vec2, tangent_of};
-use crate::zone::{Constraint, ContactPair};
+use crate::zone::{Constraint, ConstraintKind, ContactPair};
 use nalgebra::{DMatrix, DVector};
 
 /// A row of `∂(n·d)/∂z` shorter than this vanishes.
 const NO_ROW: f64 = 1e-10;
 
-/// `(row, upper, constraint)` of each bound.
-type Bounds = Vec<(usize, f64, usize)>;
+/// `(row, value, constraint)`: which row of `x` a constraint became, and its upper bound or, if bilateral, its value.
+type Constrained = Vec<(usize, f64, usize)>;
 
-/// The rows of `x = rows · z`, the bounds `(row, upper, constraint)`, and which coordinates `z` stands for.
+/// The rows of `x = rows · z`, the constraints among them, and which coordinates `z` stands for.
 pub(super) struct Chosen {
     pub rows: DMatrix<f64>,
-    pub bounds: Bounds,
+    pub bounds: Constrained,
+    pub held: Constrained,
 }
 
 pub(super) fn choose_basis(pair: &ContactPair, supports: [&NodeSupport; 2]) -> Result<Chosen, Error> {
-    let (mut rows, bounds) = constraint_rows(pair, supports)?;
+    let Rows { mut rows, bounds, held } = constraint_rows(pair, supports)?;
     complete(&mut rows, pair.constraints[0].normal, supports);
     let free = supports[0].free.len() + supports[1].free.len();
-    Ok(Chosen { rows: DMatrix::from_fn(rows.len(), free, |i, j| rows[i][j]), bounds })
+    Ok(Chosen { rows: DMatrix::from_fn(rows.len(), free, |i, j| rows[i][j]), bounds, held })
 }
 
-/// The rows of the constraints that the supports do not decide, and their bounds `(row, upper, constraint)`.
-fn constraint_rows(pair: &ContactPair, supports: [&NodeSupport; 2]) -> Result<(Vec<DVector<f64>>, Bounds), Error> {
-    let mut rows: Vec<DVector<f64>> = Vec::with_capacity(4);
-    let mut bounds = Bounds::new();
+#[derive(Default)]
+struct Rows {
+    rows: Vec<DVector<f64>>,
+    bounds: Constrained,
+    held: Constrained,
+}
+
+/// The rows of the constraints that the supports do not decide; bilateral ones first, since they decide others.
+fn constraint_rows(pair: &ContactPair, supports: [&NodeSupport; 2]) -> Result<Rows, Error> {
+    let mut chosen = Rows::default();
     let fixed_jump = supports[0].offset - supports[1].offset;
-    for (k, c) in pair.constraints.iter().enumerate() {
-        let row = jump_row(c.normal, supports);
-        let upper = c.gap - c.normal.dot(&fixed_jump);
-        if row.norm() < NO_ROW {
-            refuse_inadmissible(c, upper, fixed_jump.norm())?;
-        } else if is_independent(&rows, &row) {
-            bounds.push((rows.len(), upper, k));
-            rows.push(row);
-        } else {
-            merge_bound(&rows[0], &row, upper, k, &mut bounds)?;
+    let size = supports.map(|s| s.offset.norm()).iter().sum();
+    for kind in [ConstraintKind::Bilateral, ConstraintKind::Unilateral] {
+        for (k, c) in pair.constraints.iter().enumerate().filter(|(_, c)| c.kind == kind) {
+            let row = jump_row(c.normal, supports);
+            let value = c.gap - c.normal.dot(&fixed_jump);
+            if row.norm() < NO_ROW {
+                refuse_inadmissible(c, value, size)?;
+            } else if is_independent(&chosen.rows, &row) {
+                let of_kind = if kind == ConstraintKind::Bilateral { &mut chosen.held } else { &mut chosen.bounds };
+                of_kind.push((chosen.rows.len(), value, k));
+                chosen.rows.push(row);
+            } else if let Some(&(_, held, _)) = chosen.held.first() {
+                // n·d = ratio · n_held·d is known
+                let ratio = row.dot(&chosen.rows[0]) / chosen.rows[0].norm_squared();
+                refuse_inadmissible(c, value - ratio * held, size)?;
+            } else {
+                merge_bound(&chosen.rows[0], &row, value, k, &mut chosen.bounds)?;
+            }
         }
     }
-    Ok((rows, bounds))
+    Ok(chosen)
 }
 
 /// Greedy completion: the jump's tangential and normal part, then `u''` in order, then `u'`.
@@ -119,14 +134,25 @@ fn is_independent(rows: &[DVector<f64>], row: &DVector<f64>) -> bool {
     true
 }
 
-fn refuse_inadmissible(c: &Constraint, upper: f64, size: f64) -> Result<(), Error> {
-    if upper >= -1e-12 * (1.0 + size) {
+/// A constraint that something else decides must hold: what is left of the gap, `slack`, may not be negative, and must
+/// vanish where the constraint is bilateral. `size` is that of the prescribed displacements: their difference is the gap only to
+/// rounding.
+fn refuse_inadmissible(c: &Constraint, slack: f64, size: f64) -> Result<(), Error> {
+    let rounding = 1e-12 * (c.gap.abs() + size);
+    if slack.abs() <= rounding || (slack > 0.0 && c.kind == ConstraintKind::Unilateral) {
         return Ok(());
+    }
+    if slack > 0.0 {
+        return Err(Error::Boundary(format!(
+            "the prescribed displacements of a bilateral contact pair part by {slack:.3e} along the normal ({}, {}) and no free \
+             component can change that; make the data of both bodies agree there, or let the bilateral part end before it",
+            c.normal.x, c.normal.y
+        )));
     }
     Err(Error::Boundary(format!(
         "the prescribed displacements of a contact pair penetrate by {:.3e} along the normal ({}, {}) and no free component \
          can change that; make the data on both bodies admissible there",
-        -upper, c.normal.x, c.normal.y
+        -slack, c.normal.x, c.normal.y
     )))
 }
 

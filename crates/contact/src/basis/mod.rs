@@ -10,6 +10,8 @@
 //! two nodes. A constraint whose row `∂(n·d)/∂z` vanishes is decided by the supports: it is dropped, and the fixed gap
 //! must then be admissible. The other rows become the first unknowns; the basis is completed greedily by the
 //! components of `d`, then of `u''`, then of `u'`. So a pair clamped in `Ω''` keeps `x = d = u'`.
+//!
+//! A bilateral constraint `n·d = g` is an unknown by the same rule, and then fixed: `u_D` takes its value, `x` has zero there.
 
 mod choose;
 #[cfg(test)]
@@ -45,13 +47,24 @@ pub struct BoundOrigin {
     pub constraint: usize,
 }
 
+/// A bilateral constraint: a component of `x` that is fixed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Held {
+    /// Scalar component of `x`.
+    pub dof: u32,
+    /// The constraint.
+    pub origin: BoundOrigin,
+}
+
 /// `u = T x + u_D`, with its left inverse on the free components.
 #[derive(Clone, Debug)]
 pub struct Basis {
-    /// For each node, `u_D`.
+    /// For each node, `u_D`: prescribed displacements, and the gaps of bilateral constraints.
     pub offset: Vec<Vec2>,
     /// For each scalar component of `x`, whether it is fixed at zero.
     pub fixed: Vec<bool>,
+    /// The bilateral constraints, in the order of the pairs.
+    pub held: Vec<Held>,
     /// For each node, its own 2×2 block of `T`, by rows.
     own: Vec<[f64; 4]>,
     /// For each node, its pair if it has one.
@@ -78,10 +91,14 @@ impl Basis {
         let own = supports.iter().map(|s| own_block(&s.free)).collect();
         let fixed = supports.iter().flat_map(|s| [s.free.is_empty(), s.free.len() < 2]).collect();
         let offset = supports.iter().map(|s| s.offset).collect();
-        Self { offset, fixed, own, pair_of: vec![None; supports.len()], pairs: Vec::new() }
+        Self { offset, fixed, held: Vec::new(), own, pair_of: vec![None; supports.len()], pairs: Vec::new() }
     }
 
-    /// Ties a contact pair: its constraints become upper bounds on components of `x`, returned with their constraint.
+    /// Ties a contact pair: its unilateral constraints become upper bounds on components of `x`, returned with their
+    /// constraint; its bilateral ones are added to [`Basis::held`].
+    ///
+    /// # Errors
+    /// [`Error::Boundary`] for supports that contradict a constraint, or bound one component from both sides.
     pub fn tie(
         &mut self,
         index: usize,
@@ -96,8 +113,17 @@ impl Basis {
         for node in nodes {
             self.pair_of[node as usize] = Some(self.pairs.len() as u32);
         }
-        self.pairs.push(chosen.block(nodes, supports)?);
+        let block = chosen.block(nodes, supports)?;
         let dofs = slots_of(nodes);
+        for &(row, value, constraint) in &chosen.held {
+            self.fixed[dofs[row]] = true;
+            self.held.push(Held { dof: dofs[row] as u32, origin: BoundOrigin { pair: index, constraint } });
+            // u_D += T e_c g
+            for (node, top) in nodes.into_iter().zip([0, 2]) {
+                self.offset[node as usize] += value * Vec2::new(block.t[top][row], block.t[top + 1][row]);
+            }
+        }
+        self.pairs.push(block);
         let bound = |&(row, upper, constraint): &(usize, f64, usize)| {
             (Bound { dof: dofs[row] as u32, upper }, BoundOrigin { pair: index, constraint })
         };
@@ -132,6 +158,13 @@ impl Basis {
 
     /// `Tᵀ r` for a nodal force `r`, zero in the fixed components.
     pub fn force(&self, r: &[Vec2]) -> Vec<f64> {
+        let mut x = self.full_force(r);
+        x.iter_mut().zip(&self.fixed).filter(|(_, fixed)| **fixed).for_each(|(x, _)| *x = 0.0);
+        x
+    }
+
+    /// `Tᵀ r` in all components: in a fixed one, what holds it.
+    pub fn full_force(&self, r: &[Vec2]) -> Vec<f64> {
         let mut x = vec![0.0; 2 * self.nodes()];
         for (node, r) in r.iter().enumerate() {
             let (slots, n) = self.slots(node);
@@ -141,7 +174,6 @@ impl Basis {
                 x[2 * s + 1] += b[1] * r.x + b[3] * r.y;
             }
         }
-        x.iter_mut().zip(&self.fixed).filter(|(_, fixed)| **fixed).for_each(|(x, _)| *x = 0.0);
         x
     }
 

@@ -1,10 +1,11 @@
 //! Whatever holds the two nodes of a pair, its constraints are kept, or dropped by the rule.
 
 use super::*;
-use crate::zone::Constraint;
+use crate::zone::{Constraint, ConstraintKind};
 
 fn pair(normals: &[Vec2]) -> ContactPair {
-    let constraint = |n: &Vec2| Constraint { normal: n.normalize(), gap: 0.25, mass: 1.0, side: 0 };
+    let constraint =
+        |n: &Vec2| Constraint { normal: n.normalize(), gap: 0.25, mass: 1.0, side: 0, kind: Default::default() };
     ContactPair { first: 0, second: 1, constraints: normals.iter().map(constraint).collect() }
 }
 
@@ -97,4 +98,90 @@ fn the_ordinary_pair_has_the_unknowns_of_the_text() {
     let x = basis.coordinates(&[a, b]);
     let expected = [n.dot(&(a - b)), tangent_of(n).dot(&(a - b)), b.x, b.y];
     assert!(x.iter().zip(expected).all(|(x, e)| (x - e).abs() < 1e-15), "{x:?}");
+}
+
+fn bilateral(pair: ContactPair, which: &[usize]) -> ContactPair {
+    let mut pair = pair;
+    which.iter().for_each(|&k| pair.constraints[k].kind = ConstraintKind::Bilateral);
+    pair
+}
+
+#[test]
+fn a_bilateral_constraint_is_met_by_every_displacement() {
+    let free = NodeSupport::unsupported;
+    let (n, m) = (Vec2::new(0.6, -0.8), Vec2::new(1.0, -1.0));
+    let slides = || held(&[Vec2::y()], Vec2::zeros());
+    let clamped = || held(&[], Vec2::new(0.01, 0.02));
+    let both = pair(&[n, m]);
+    // pair, supports, free components, bounds left, bilateral ones that a component stands for
+    let cases: [(ContactPair, [NodeSupport; 2], [usize; 3]); 6] = [
+        (bilateral(pair(&[n]), &[0]), [free(), free()], [3, 0, 1]),
+        (bilateral(both.clone(), &[1]), [free(), free()], [3, 1, 1]),
+        (bilateral(both.clone(), &[0, 1]), [free(), free()], [2, 0, 2]),
+        (bilateral(pair(&[n]), &[0]), [free(), clamped()], [1, 0, 1]),
+        (bilateral(pair(&[n]), &[0]), [slides(), slides()], [1, 0, 1]),
+        (bilateral(both, &[0]), [clamped(), free()], [1, 1, 1]),
+    ];
+    for (pair, supports, [unknowns, bounds, tied]) in cases {
+        let mut basis = Basis::new(&supports);
+        let left = basis.tie(7, &pair, [&supports[0], &supports[1]]).unwrap();
+        assert_eq!((left.len(), basis.held.len()), (bounds, tied));
+        assert_eq!(basis.fixed.iter().filter(|f| !**f).count(), unknowns);
+        let mut x = sample(4);
+        x.iter_mut().zip(&basis.fixed).for_each(|(x, f)| *x = if *f { 0.0 } else { *x });
+        let u = basis.displacement(&x);
+        for h in &basis.held {
+            let c = &pair.constraints[h.origin.constraint];
+            assert_eq!((h.origin.pair, c.kind), (7, ConstraintKind::Bilateral));
+            assert!((c.normal.dot(&(u[0] - u[1])) - c.gap).abs() < 1e-14, "{:?}", pair.constraints);
+            assert!(basis.fixed[h.dof as usize]);
+        }
+        for (bound, origin) in &left {
+            let c = &pair.constraints[origin.constraint];
+            let slack = c.gap - c.normal.dot(&(u[0] - u[1]));
+            assert!(
+                (bound.upper - x[bound.dof as usize] - slack).abs() < 1e-13,
+                "the other constraint is a bound still"
+            );
+        }
+    }
+}
+
+/// What a constraint's own force does to its component, and to no other.
+#[test]
+fn the_force_of_a_bilateral_constraint_acts_on_its_component_alone() {
+    let supports = [NodeSupport::unsupported(), NodeSupport::unsupported()];
+    let pair = bilateral(pair(&[Vec2::new(0.6, -0.8), Vec2::new(1.0, 0.3)]), &[0]);
+    let mut basis = Basis::new(&supports);
+    let left = basis.tie(0, &pair, [&supports[0], &supports[1]]).unwrap();
+    let n = pair.constraints[0].normal;
+    let full = basis.full_force(&[2.5 * n, -2.5 * n]);
+    let held = basis.held[0].dof as usize;
+    assert!((full[held] - 2.5).abs() < 1e-14, "{full:?}");
+    assert!(full.iter().enumerate().all(|(i, f)| i == held || f.abs() < 1e-14), "{full:?}");
+    assert!(left[0].0.dof as usize != held && basis.force(&[2.5 * n, -2.5 * n]).iter().all(|f| f.abs() < 1e-14));
+}
+
+#[test]
+fn supports_that_part_a_bilateral_pair_are_refused() {
+    let n = Vec2::new(0.0, -1.0);
+    let clamped = |y: f64| held(&[], Vec2::new(0.0, y));
+    let tie = |pair: &ContactPair, a: f64, b: f64| {
+        let supports = [clamped(a), clamped(b)];
+        Basis::new(&supports).tie(0, pair, [&supports[0], &supports[1]]).map(|_| ()).map_err(|e| e.to_string())
+    };
+    let mut touching = pair(&[n]);
+    touching.constraints[0].gap = 0.0;
+    // u' above u'': open, which only the unilateral pair allows
+    assert_eq!(tie(&touching, 0.3, 0.1), Ok(()));
+    let refused = tie(&bilateral(touching.clone(), &[0]), 0.3, 0.1).unwrap_err();
+    assert!(refused.contains("part by 2.000e-1") && refused.contains("bilateral"), "{refused}");
+    assert_eq!(tie(&bilateral(touching, &[0]), 0.1, 0.1), Ok(()));
+    // an opposite flank that the bilateral one decides
+    let mut wedge = bilateral(pair(&[Vec2::x(), -Vec2::x()]), &[0]);
+    wedge.constraints.iter_mut().for_each(|c| c.gap = 0.0);
+    let supports = [NodeSupport::unsupported(), NodeSupport::unsupported()];
+    let mut basis = Basis::new(&supports);
+    assert_eq!(basis.tie(0, &wedge, [&supports[0], &supports[1]]).unwrap().len(), 0);
+    assert_eq!(basis.held.len(), 1);
 }

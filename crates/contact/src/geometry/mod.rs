@@ -4,6 +4,7 @@ mod circle;
 mod contact_line;
 mod curve;
 mod graph;
+mod initial_gap;
 mod path;
 mod spline;
 #[cfg(test)]
@@ -13,6 +14,7 @@ pub use circle::CircularArc;
 pub use contact_line::{ContactLine, LinePoint};
 pub use curve::{Curve, SharedCurve, arc_length};
 pub use graph::{Graph, GraphFn};
+pub use initial_gap::InitialGap;
 pub use path::{Path, Piece};
 pub use spline::Spline;
 

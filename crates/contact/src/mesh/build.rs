@@ -140,6 +140,7 @@ fn join([first, second]: [Triangulation; 2], parts: &[PartOutline]) -> Mesh {
         contact: Vec::new(),
         curved: CurvedSides::default(),
         direction: None,
+        initial_gap: None,
     }
 }
 

@@ -10,7 +10,7 @@
 //! From blocks to meshes: [`blocks`] triangulates quadrilaterals, [`Mesh::build`] joins two triangulations and names
 //! their boundary, [`Hierarchy`] refines, [`Quality`] measures and [`Mesh::hash`] identifies.
 
-use crate::geometry::{Path, Point, Vec2};
+use crate::geometry::{InitialGap, Path, Point, Vec2};
 use std::fmt;
 
 pub mod blocks;
@@ -105,6 +105,8 @@ pub struct Mesh {
     pub curved: CurvedSides,
     /// `e_ξ` of an enlarging contact zone, across whose gap the bodies meet; none where they touch from the start.
     pub direction: Option<Vec2>,
+    /// The initial distance along `n` of bodies with common nodes on the zone; none where they just touch.
+    pub initial_gap: Option<InitialGap>,
 }
 
 /// The name of a boundary part and the body it belongs to.

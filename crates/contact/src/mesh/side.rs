@@ -2,7 +2,7 @@
 
 use super::{BoundarySide, Mesh};
 use crate::element::CurvedTriangle;
-use crate::geometry::{LinePoint, Piece, Point, Segment, Vec2};
+use crate::geometry::{InitialGap, LinePoint, Piece, Point, Segment, Vec2};
 use crate::quadrature::Cubature;
 
 /// A side of a triangle on the boundary, with a direction.
@@ -87,7 +87,11 @@ impl Mesh {
     pub fn contact_view(&self, side: usize) -> ContactView<'_> {
         let s = &self.contact[side];
         let [f, g] = s.triangles.map(|t| t as usize);
-        ContactView { sides: [self.side_view(f, s.first), self.side_view(g, s.second)], direction: self.direction }
+        ContactView {
+            sides: [self.side_view(f, s.first), self.side_view(g, s.second)],
+            direction: self.direction,
+            initial_gap: self.initial_gap.as_ref(),
+        }
     }
 }
 
@@ -99,12 +103,18 @@ pub struct ContactView<'a> {
     pub sides: [SideView<'a>; 2],
     /// `e_ξ` across a gap.
     direction: Option<Vec2>,
+    /// `g` on a common zone.
+    initial_gap: Option<&'a InitialGap>,
 }
 
 impl ContactView<'_> {
     /// Points, normals and gap at `t`.
     pub fn at(&self, t: f64) -> LinePoint {
-        LinePoint::new([&self.sides[0].piece, &self.sides[1].piece], self.direction, t)
+        let mut point = LinePoint::new([&self.sides[0].piece, &self.sides[1].piece], self.direction, t);
+        if let Some(gap) = self.initial_gap {
+            point.gap += gap.at(point.at[0]);
+        }
+        point
     }
 
     /// `n·(v' − v'')` at `t` for a nodal field, without the gap.

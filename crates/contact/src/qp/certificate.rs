@@ -1,6 +1,6 @@
 //! The KKT certificate: how far `x, λ` are from optimal, recomputed from the raw data. No solver grades itself.
 
-use super::{BoundQp, largest, residual};
+use super::{BoundQp, backward_error, largest, residual};
 
 /// A multiplier or a slack below this share of the largest counts as zero.
 const WEAK: f64 = 1e-8;
@@ -19,6 +19,9 @@ pub struct CertificateScales {
 pub struct Certificate {
     /// `‖f − Kx − λ‖_∞ / (‖K‖_∞‖x‖_∞ + ‖f‖_∞)`.
     pub stationarity: f64,
+    /// The same row by row, `max_i |f−Kx−λ|_i / (|K||x| + |f|)_i`: soft bodies beside hard ones, and small loads beside large
+    /// ones, count as much as the others.
+    pub componentwise: f64,
     /// `max(x_c − g)_+ / max|u|`.
     pub penetration: f64,
     /// `max(−λ)_+ / max|λ|`.
@@ -43,6 +46,7 @@ pub fn certify(qp: &BoundQp, x: &[f64], multipliers: &[f64], scales: &Certificat
     let products = pairs().map(|(multiplier, slack)| (multiplier * slack).abs());
     Certificate {
         stationarity: stationarity(qp, x, multipliers),
+        componentwise: backward_error(qp, x, &imbalance(qp, x, multipliers)),
         penetration: ratio(largest_deficit(&slack), scales.displacement),
         tension: ratio(largest_deficit(multipliers), max_multiplier),
         complementarity: ratio(products.sum(), scales.energy),
@@ -52,12 +56,18 @@ pub fn certify(qp: &BoundQp, x: &[f64], multipliers: &[f64], scales: &Certificat
     }
 }
 
-/// `‖f − Kx − λ‖_∞ / (‖K‖_∞‖x‖_∞ + ‖f‖_∞)`.
-fn stationarity(qp: &BoundQp, x: &[f64], multipliers: &[f64]) -> f64 {
+/// `f − Kx − λ`.
+fn imbalance(qp: &BoundQp, x: &[f64], multipliers: &[f64]) -> Vec<f64> {
     let mut rest = residual(qp, x);
     for (bound, multiplier) in qp.bounds.iter().zip(multipliers) {
         rest[bound.dof as usize] -= multiplier;
     }
+    rest
+}
+
+/// `‖f − Kx − λ‖_∞ / (‖K‖_∞‖x‖_∞ + ‖f‖_∞)`.
+fn stationarity(qp: &BoundQp, x: &[f64], multipliers: &[f64]) -> f64 {
+    let rest = imbalance(qp, x, multipliers);
     let scale = qp.matrix.norm_inf() * largest(x) + largest(&qp.load);
     ratio(largest(&rest), scale)
 }

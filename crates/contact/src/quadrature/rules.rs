@@ -16,6 +16,28 @@ pub fn seven_points(t: [Point; 3], visit: &mut impl FnMut(Point, f64)) {
     }
 }
 
+/// The 16-point rule of degree 8 (Dunavant 1985): the centroid, three orbits of three points and one of six, its digits from
+/// the ten symmetric moment equations.
+pub fn sixteen_points(t: [Point; 3], visit: &mut impl FnMut(Point, f64)) {
+    let area = 0.5 * twice_area(t[0], t[1], t[2]).abs();
+    let centroid = (t[0] + t[1] + t[2]) / 3.0;
+    visit(centroid, 0.144_315_607_677_787_17 * area);
+    for (a, w) in [
+        (0.459_292_588_292_723_16, 0.095_091_634_267_284_62),
+        (0.170_569_307_751_760_2, 0.103_217_370_534_718_25),
+        (0.050_547_228_317_030_975, 0.032_458_497_623_198_08),
+    ] {
+        for corner in t {
+            visit(centroid + (1.0 - 3.0 * a) * (corner - centroid), w * area);
+        }
+    }
+    let (a, b, w) = (0.008_394_777_409_957_605, 0.263_112_829_634_638_1, 0.027_230_314_174_434_994);
+    for (i, j) in [(0, 1), (1, 2), (2, 0), (1, 0), (2, 1), (0, 2)] {
+        let k = 3 - i - j;
+        visit(a * t[i] + b * t[j] + (1.0 - a - b) * t[k], w * area);
+    }
+}
+
 /// The conical product of two Gauss–Legendre rules of 6 points, exact to degree 10: for integrands that one rule of
 /// degree 5 does not resolve. `x = a + s((b − a) + t(c − b))`, Jacobian `2|T| s`.
 pub fn conical_points([a, b, c]: [Point; 3], visit: &mut impl FnMut(Point, f64)) {

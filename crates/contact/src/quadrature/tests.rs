@@ -30,6 +30,21 @@ fn monomials_to_degree_five_are_exact_and_degree_six_is_not() {
 }
 
 #[test]
+fn sixteen_points_are_exact_to_degree_eight() {
+    let error = |p: u32, q: u32| {
+        let mut sum = 0.0;
+        sixteen_points(unit(), &mut |x, w| sum += w * x.x.powi(p as i32) * x.y.powi(q as i32));
+        (sum - factorial(p) * factorial(q) / factorial(p + q + 2)).abs()
+    };
+    for p in 0..=8 {
+        for q in 0..=8 - p {
+            assert!(error(p, q) < 1e-16, "x^{p} y^{q}: {}", error(p, q));
+        }
+    }
+    assert!(error(9, 0) > 1e-9, "{}", error(9, 0));
+}
+
+#[test]
 fn the_conical_product_is_exact_to_degree_ten() {
     let error = |p: u32, q: u32| {
         let mut sum = 0.0;

@@ -2,7 +2,7 @@
 //!
 //! A rigid motion `y` is *allowed* if it respects `Γ_u`, `Γ_0` and opens or slides the contact zone,
 //! `n·(y' − y'') ≤ 0`. The problem has a solution when `f(y) < 0` for every allowed one-sided `y` (the load presses the
-//! bodies together) and `f(y) = 0` where `−y` is allowed as well. The allowed motions form a polyhedral cone in at most
+//! bodies together) and `f(y) = 0` where `−y` is allowed as well. On a bilateral part `n·(y' − y'') = 0`, as at a support. The allowed motions form a polyhedral cone in at most
 //! six dimensions, so its two-sided part is a null space and the rest is decided on its extreme rays.
 
 mod cone;
@@ -13,14 +13,24 @@ use crate::Error;
 use crate::basis::NodeSupport;
 use crate::geometry::{Point, Vec2, tangent_of};
 use crate::mesh::{Body, Mesh};
-use crate::zone::Zone;
+use crate::zone::{ConstraintKind, Zone};
 use nalgebra::{DMatrix, DVector, Matrix6, SymmetricEigen, Vector6};
 
-/// `|f(y)|` below this times `Σ|load|` counts as zero, for `max |y| = 1`.
+/// `|f(y)|` below this times `Σ |f_i| |y_i|` counts as zero: the loads that the motion meets, each with its arm. Loads on a body
+/// that does not move do not blur the balance of one that does.
 const BALANCED: f64 = 1e-10;
 
 /// Eigenvalues below this share of the largest belong to the null space.
 const NULL: f64 = 1e-12;
+
+/// What the program says where it fixes a two-sided motion by itself.
+pub(crate) const MEAN_IS_ZERO: &str = "its mean is set to zero";
+/// Motions of length 1 that open the zone by less than this leave it closed.
+const CLOSED: f64 = 1e-12;
+
+/// Motions that open the zone by less than this, but do open it, meet a resistance of the order of its square: too little to be
+/// seen beside the stiffness in double precision.
+const HELD: f64 = 1e-5;
 
 /// What the supports and the contact leave free.
 #[derive(Clone, Debug, Default)]
@@ -85,32 +95,45 @@ fn round(x: f64) -> f64 {
 /// Tests the load against the cone of allowed rigid motions.
 pub fn balance(mesh: &Mesh, supports: &[NodeSupport], zone: &Zone, load: &[Vec2]) -> Result<Balance, Error> {
     let frame = Frame::new(mesh);
-    let free = null_space(&support_gram(mesh, supports, &frame));
+    let free = null_space(&(support_gram(mesh, supports, &frame) + bilateral_gram(mesh, zone, &frame)));
     if free.is_empty() {
         return Ok(Balance::default());
     }
     let contact = contact_rows(mesh, zone, &frame);
     let (kernel, one_sided) = split(&free, &contact);
-    let judge = Judge { mesh, frame: &frame, load, size: load.iter().map(|f| f.norm()).sum() };
+    refuse_nearly_free(&frame, &one_sided, &contact)?;
+    let judge = Judge { mesh, frame: &frame, load };
     for y in &kernel {
         judge.demand_equilibrium(y)?;
     }
     for ray in extreme_rays(&one_sided, &contact) {
         judge.demand_pressing(&ray)?;
     }
-    let remark =
-        |y: &Vector6<f64>| format!("{} is free in both directions; its mean is set to zero", frame.describe(y));
+    let remark = |y: &Vector6<f64>| format!("{} is free in both directions; {MEAN_IS_ZERO}", frame.describe(y));
     Ok(Balance {
         remarks: kernel.iter().map(remark).collect(),
         kernel: kernel.iter().map(|y| judge.field(y)).collect(),
     })
 }
 
+/// A motion that is neither free nor held.
+fn refuse_nearly_free(frame: &Frame, one_sided: &[Vector6<f64>], contact: &[Vector6<f64>]) -> Result<(), Error> {
+    let opening = |y: &Vector6<f64>| contact.iter().map(|r| r.dot(y).powi(2)).sum::<f64>().sqrt();
+    match one_sided.iter().map(|y| (y, opening(y))).find(|(_, o)| *o < HELD) {
+        None => Ok(()),
+        Some((y, opening)) => Err(Error::Solvability(format!(
+            "nearly free: the {} opens the contact zone by {opening:.1e} of itself only, too little to hold the body in double \
+             precision (below {HELD:.0e}) and too much to count as a free slide (above {CLOSED:.0e}); make the zone flat or \
+             steeper, or support the body",
+            frame.describe(y)
+        ))),
+    }
+}
+
 struct Judge<'a> {
     mesh: &'a Mesh,
     frame: &'a Frame,
     load: &'a [Vec2],
-    size: f64,
 }
 
 impl Judge<'_> {
@@ -122,26 +145,28 @@ impl Judge<'_> {
         field.into_iter().map(|y| y / largest).collect()
     }
 
-    /// `f(y)` for the motion scaled to `max |y| = 1`.
-    fn work(&self, q: &Vector6<f64>) -> f64 {
-        self.load.iter().zip(self.field(q)).map(|(f, y)| f.dot(&y)).sum()
+    /// `f(y)` for the motion scaled to `max |y| = 1`, and what counts as zero for it.
+    fn work(&self, q: &Vector6<f64>) -> (f64, f64) {
+        let field = self.field(q);
+        let terms = || self.load.iter().zip(&field);
+        let size: f64 = terms().map(|(f, y)| f.norm() * y.norm()).sum();
+        (terms().map(|(f, y)| f.dot(y)).sum(), BALANCED * size)
     }
 
     fn demand_equilibrium(&self, y: &Vector6<f64>) -> Result<(), Error> {
-        let work = self.work(y);
-        if work.abs() <= BALANCED * self.size {
+        let (work, tolerance) = self.work(y);
+        if work.abs() <= tolerance {
             return Ok(());
         }
         Err(Error::Solvability(format!(
             "no equilibrium: the {} meets no resistance in either direction, but the load works on it with resultant {work:.6e} \
-             (must vanish within {:.1e}); balance the load or support the body",
-            self.frame.describe(y),
-            BALANCED * self.size
+             (must vanish within {tolerance:.1e}); balance the load or support the body",
+            self.frame.describe(y)
         )))
     }
 
     fn demand_pressing(&self, ray: &Vector6<f64>) -> Result<(), Error> {
-        let (work, tolerance) = (self.work(ray), BALANCED * self.size);
+        let (work, tolerance) = self.work(ray);
         if work < -tolerance {
             return Ok(());
         }
@@ -171,6 +196,19 @@ fn support_gram(mesh: &Mesh, supports: &[NodeSupport], frame: &Frame) -> Matrix6
         };
         for m in held {
             let row = frame.row(mesh.node_bodies[i], mesh.points[i], *m);
+            gram += row * row.transpose();
+        }
+    }
+    gram
+}
+
+/// `Σ r rᵀ` over the rows of the bilateral constraints.
+fn bilateral_gram(mesh: &Mesh, zone: &Zone, frame: &Frame) -> Matrix6<f64> {
+    let mut gram = Matrix6::zeros();
+    for pair in &zone.pairs {
+        let [x, y] = [pair.first, pair.second].map(|i| mesh.points[i as usize]);
+        for c in pair.constraints.iter().filter(|c| c.kind == ConstraintKind::Bilateral) {
+            let row = frame.row(Body::First, x, c.normal) - frame.row(Body::Second, y, c.normal);
             gram += row * row.transpose();
         }
     }
@@ -208,16 +246,26 @@ fn contact_rows(mesh: &Mesh, zone: &Zone, frame: &Frame) -> Vec<Vector6<f64>> {
 
 /// Splits the span of `free` into the motions that leave the zone closed and an orthonormal complement.
 fn split(free: &[Vector6<f64>], contact: &[Vector6<f64>]) -> (Vec<Vector6<f64>>, Vec<Vector6<f64>>) {
-    let rows = DMatrix::from_fn(contact.len(), free.len(), |i, j| contact[i].dot(&free[j]));
-    let eigen = SymmetricEigen::new(rows.transpose() * rows);
-    let largest = eigen.eigenvalues.max();
+    // Square at least, so that the decomposition spans the whole of `free`. Squared, a wedge of 1e-6 would be lost in rounding.
+    let height = contact.len().max(free.len());
+    let row = |i: usize, j: usize| contact.get(i).map_or(0.0, |r| r.dot(&free[j]));
+    let svd = DMatrix::from_fn(height, free.len(), row).svd(false, true);
+    let directions = svd.v_t.expect("the right singular vectors were asked for").transpose();
     let combine = |c: DVector<f64>| (0..free.len()).fold(Vector6::zeros(), |q, j| q + c[j] * free[j]);
     let mut parts = (Vec::new(), Vec::new());
-    for (i, &value) in eigen.eigenvalues.iter().enumerate() {
-        let motion = combine(eigen.eigenvectors.column(i).into_owned());
-        if value <= NULL * largest.max(1.0) { parts.0.push(motion) } else { parts.1.push(motion) }
+    for (i, &value) in svd.singular_values.iter().enumerate() {
+        let motion = combine(directions.column(i).into_owned());
+        if value <= CLOSED { parts.0.push(directed(motion)) } else { parts.1.push(motion) }
     }
     parts
+}
+
+/// One of `±q`: the one whose first coordinate of more than half the largest size is positive, so that a motion has one name
+/// on every mesh.
+fn directed(q: Vector6<f64>) -> Vector6<f64> {
+    let largest = q.amax();
+    let first = q.iter().find(|x| x.abs() > 0.5 * largest).copied().unwrap_or(0.0);
+    if first < 0.0 { -q } else { q }
 }
 
 /// The extreme rays of `{ q ∈ span(directions) : r·q ≤ 0 for every row r }`, a pointed cone.

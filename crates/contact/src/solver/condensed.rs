@@ -7,11 +7,11 @@
 
 use super::active_set::{DenseSolution, PrimalDual, primal_dual};
 use super::dense::DenseQp;
-use super::kernel::{anchors, impose_conditions};
+use super::kernel::{anchors, impose_conditions, start};
 use super::monotone::{Monotone, monotone};
 use super::schur::Condensation;
-use super::{QpSolution, Settings, Status};
-use crate::qp::{BoundQp, largest, residual};
+use super::{Method, QpSolution, Settings, Status};
+use crate::qp::{BoundQp, backward_error, largest, residual};
 
 /// Corrections by the residual after the first solve, at most.
 const REFINEMENTS: usize = 3;
@@ -30,7 +30,7 @@ pub struct Condensed<'a> {
 struct Parts {
     condensation: Condensation,
     dense: DenseQp,
-    /// Unknowns held at zero in place of the kernel.
+    /// Unknowns held in place of the kernel.
     held: Vec<usize>,
 }
 
@@ -44,13 +44,21 @@ impl<'a> Condensed<'a> {
     pub fn solve(self, settings: &Settings) -> QpSolution {
         let mut answer = QpSolution::unsolved(self.qp, Status::NotPositiveDefinite);
         answer.factorizations = 1;
-        let Some(Parts { condensation, dense, held }) = self.parts else {
+        let Some(Parts { condensation, mut dense, held }) = self.parts else {
             return answer;
         };
-        let (status, solution) = solve_dense(&dense, settings, &mut answer.history);
+        let start = start(self.qp, &held, settings.start_slide);
+        let load = residual(self.qp, &start);
+        if settings.start_slide != 0.0 && !held.is_empty() {
+            dense.load = condensation.reduced_load(&dense.matrix, &load);
+        }
+        let (status, solution) = match settings.method {
+            Method::Monotone => solve_monotone(&dense, &mut answer.history),
+            _ => solve_dense(&dense, settings, &mut answer.history),
+        };
         answer.iterations = answer.history.len();
         if let Some(solution) = solution {
-            let expansion = Expansion { qp: self.qp, condensation, dense, solution, held };
+            let expansion = Expansion { qp: self.qp, condensation, dense, solution, held, start, load };
             answer.x = expansion.refined();
             answer.status = status;
             finish(self.qp, &expansion.solution.active, &mut answer);
@@ -111,32 +119,50 @@ fn solve_dense(dense: &DenseQp, settings: &Settings, history: &mut Vec<usize>) -
     }
 }
 
+/// The monotone method from the bounds themselves, its own start.
+fn solve_monotone(dense: &DenseQp, history: &mut Vec<usize>) -> (Status, Option<DenseSolution>) {
+    match monotone(dense, &dense.upper, history) {
+        Monotone::Solved(solution) => (Status::Converged { steps: solution.steps }, Some(solution)),
+        Monotone::StepLimit(solution) => (Status::IterationLimit { steps: solution.steps }, Some(solution)),
+        Monotone::Unbounded => (Status::NotPositiveDefinite, None),
+    }
+}
+
 /// From the bounded components back to all.
 struct Expansion<'a> {
     qp: &'a BoundQp,
     condensation: Condensation,
     dense: DenseQp,
     solution: DenseSolution,
-    /// Unknowns held at zero in place of the kernel.
+    /// Unknowns held in place of the kernel.
     held: Vec<usize>,
+    /// `x_0`: the held unknowns at their value, zero elsewhere.
+    start: Vec<f64>,
+    /// `f − K x_0`.
+    load: Vec<f64>,
 }
 
 impl Expansion<'_> {
-    /// The full solution, corrected as long as this reduces the residual.
+    /// The full solution, corrected as long as this reduces the residual, row by row: in the largest row alone, a soft body or a
+    /// small load would go uncorrected beside a stiff or a large one.
     fn refined(&self) -> Vec<f64> {
-        let mut x = self.expand(&self.qp.load, &self.dense.load, &self.solution.x);
+        let mut x = self.expand(&self.load, &self.dense.load, &self.solution.x);
+        x.iter_mut().zip(&self.start).for_each(|(x, start)| *x += start);
         self.put_on_bounds(&mut x);
         let mut rest = self.free_residual(&x);
+        let mut error = backward_error(self.qp, &x, &rest);
         for _ in 0..REFINEMENTS {
             let mut better = self.correction(&rest);
             better.iter_mut().zip(&x).for_each(|(d, x)| *d += x);
             self.put_on_bounds(&mut better);
             let next = self.free_residual(&better);
-            let (before, after) = (largest(&rest), largest(&next));
-            if after < before {
-                (x, rest) = (better, next);
+            let after = backward_error(self.qp, &better, &next);
+            let improves = after < error;
+            let worthwhile = after <= WORTHWHILE * error;
+            if improves {
+                (x, rest, error) = (better, next, after);
             }
-            if after > WORTHWHILE * before {
+            if !worthwhile {
                 break;
             }
         }

@@ -9,18 +9,19 @@ use crate::qp::{BoundQp, largest, residual};
 const ROUNDS: usize = 20;
 /// Rounding of a multiplier relative to `‖K‖_∞‖x‖_∞ + ‖f‖_∞`, and of a slack times its stiffness.
 const ROUNDING: f64 = 1e-13;
+/// Rigid motions of two bodies, at most.
+const MOTIONS: usize = 6;
 /// Corrections of each equality solve by its residual.
 const REFINEMENTS: usize = 2;
 
 /// Replaces `answer.x` by the solution on the active set and returns that set; `None`, and the status says why, if the
 /// set did not come to rest.
-pub fn crossover(qp: &BoundQp, removed: &[bool], answer: &mut QpSolution) -> Option<Vec<bool>> {
+pub fn crossover(qp: &BoundQp, removed: &[bool], start: &[f64], answer: &mut QpSolution) -> Option<Vec<bool>> {
     let mut active = identified(qp, answer);
     let steps = answer.iterations;
     for _ in 0..ROUNDS {
         answer.history.push(active.iter().filter(|a| **a).count());
-        answer.factorizations += 1;
-        let Some(x) = equality_solve(qp, removed, &active) else {
+        let Some(x) = held_solve(qp, removed, start, &mut active, answer) else {
             answer.status = Status::NotPositiveDefinite;
             return None;
         };
@@ -34,6 +35,35 @@ pub fn crossover(qp: &BoundQp, removed: &[bool], answer: &mut QpSolution) -> Opt
     }
     answer.status = Status::IterationLimit { steps };
     None
+}
+
+/// The equality solve; where the set leaves a motion free, with the bound that is nearest to pressing added, one for each motion.
+/// A multiplier below the interior point's tolerance may be all that holds a body.
+fn held_solve(
+    qp: &BoundQp,
+    removed: &[bool],
+    start: &[f64],
+    active: &mut [bool],
+    answer: &mut QpSolution,
+) -> Option<Vec<f64>> {
+    for _ in 0..=MOTIONS {
+        answer.factorizations += 1;
+        if let Some(x) = equality_solve(qp, removed, start, active) {
+            return Some(x);
+        }
+        active[nearest_to_pressing(qp, active, answer)?] = true;
+    }
+    None
+}
+
+/// The inactive bound with the smallest slack times stiffness less its multiplier.
+fn nearest_to_pressing(qp: &BoundQp, active: &[bool], answer: &QpSolution) -> Option<usize> {
+    let distance = |k: usize| {
+        let bound = &qp.bounds[k];
+        let dof = bound.dof as usize;
+        stiffness(qp, dof) * (bound.upper - answer.x[dof]) - answer.multipliers[k]
+    };
+    (0..qp.bounds.len()).filter(|&k| !active[k]).min_by(|&a, &b| distance(a).total_cmp(&distance(b)))
 }
 
 /// Active: the multiplier exceeds the slack times its stiffness.
@@ -56,10 +86,10 @@ fn corrected(qp: &BoundQp, active: &[bool], x: &[f64]) -> Vec<bool> {
     qp.bounds.iter().zip(active).map(stays).collect()
 }
 
-/// `x_A = g_A`, `K_II x_I = f_I − K_IA g_A`, zero on the removed unknowns. `None` if `K_II` is not positive definite.
-fn equality_solve(qp: &BoundQp, removed: &[bool], active: &[bool]) -> Option<Vec<f64>> {
+/// `x_A = g_A`, `K_II x_I = f_I − K_IA g_A`, `x = start` on the removed unknowns. `None` if `K_II` is not positive definite.
+fn equality_solve(qp: &BoundQp, removed: &[bool], start: &[f64], active: &[bool]) -> Option<Vec<f64>> {
     let mut fixed = removed.to_vec();
-    let mut x = vec![0.0; qp.matrix.dimension()];
+    let mut x = start.to_vec();
     for (bound, _) in qp.bounds.iter().zip(active).filter(|(_, a)| **a) {
         fixed[bound.dof as usize] = true;
         x[bound.dof as usize] = bound.upper;

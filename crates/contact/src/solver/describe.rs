@@ -4,10 +4,11 @@ use super::{Method, Status};
 use std::fmt;
 
 impl Method {
-    /// `condensed` or `interior-point`.
+    /// `condensed`, `monotone` or `interior-point`.
     pub fn name(self) -> &'static str {
         match self {
             Self::Condensed => "condensed",
+            Self::Monotone => "monotone",
             Self::InteriorPoint => "interior-point",
         }
     }

@@ -13,9 +13,9 @@
 use super::compress::{Numbering, UpperTriangle};
 use super::condensed::finish;
 use super::crossover::crossover;
-use super::kernel::{anchors, impose_conditions};
+use super::kernel::{anchors, impose_conditions, start};
 use super::{QpSolution, Settings, Status};
-use crate::qp::{BoundQp, energy, largest};
+use crate::qp::{BoundQp, energy, largest, residual};
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{DefaultSettings, DefaultSolver, IPSolver, NonnegativeConeT, SolverStatus, SupportedConeT};
 
@@ -32,7 +32,8 @@ pub fn solve(qp: &BoundQp, settings: &Settings) -> QpSolution {
     };
     let mut removed = vec![false; qp.matrix.dimension()];
     held.iter().for_each(|&i| removed[i] = true);
-    let problem = Problem::new(qp, &removed);
+    let start = start(qp, &held, settings.start_slide);
+    let problem = Problem::new(qp, &removed, &start);
     problem.solve(settings, &mut answer);
     if answer.status == Status::NotPositiveDefinite {
         return answer;
@@ -43,7 +44,7 @@ pub fn solve(qp: &BoundQp, settings: &Settings) -> QpSolution {
         }
         return answer;
     }
-    if let Some(active) = crossover(qp, &removed, &mut answer) {
+    if let Some(active) = crossover(qp, &removed, &start, &mut answer) {
         finish(qp, &active, &mut answer);
     }
     answer
@@ -61,15 +62,20 @@ struct Problem<'a> {
     qp: &'a BoundQp,
     numbering: Numbering,
     matrix: CscMatrix<f64>,
+    /// `x_0`: the held unknowns at their value, zero elsewhere.
+    start: &'a [f64],
+    /// `f − K x_0`.
+    load: Vec<f64>,
 }
 
 impl<'a> Problem<'a> {
-    fn new(qp: &'a BoundQp, removed: &[bool]) -> Self {
+    fn new(qp: &'a BoundQp, removed: &[bool], start: &'a [f64]) -> Self {
         let numbering = Numbering::new(removed);
         let triangle = UpperTriangle::new(&qp.matrix, &numbering);
         let n = numbering.kept.len();
-        let (start, rows) = (triangle.column_start, triangle.rows);
-        Self { qp, numbering, matrix: CscMatrix::new(n, n, start, rows, triangle.values) }
+        let (column_start, rows) = (triangle.column_start, triangle.rows);
+        let matrix = CscMatrix::new(n, n, column_start, rows, triangle.values);
+        Self { qp, numbering, matrix, start, load: residual(qp, start) }
     }
 
     /// Solves, and once more with better scales where the result shows that they were wrong.
@@ -111,7 +117,7 @@ impl<'a> Problem<'a> {
         let Scales { size, energy } = scales;
         let mut matrix = self.matrix.clone();
         matrix.nzval.iter_mut().for_each(|k| *k *= size * size / energy);
-        let mut load = self.numbering.gather(&self.qp.load);
+        let mut load = self.numbering.gather(&self.load);
         load.iter_mut().for_each(|f| *f *= -size / energy);
         let upper: Vec<f64> = self.qp.bounds.iter().map(|b| b.upper / size).collect();
         let cones = [NonnegativeConeT(upper.len())];
@@ -123,6 +129,7 @@ impl<'a> Problem<'a> {
         let solution = &solver.solution;
         let y: Vec<f64> = solution.x.iter().map(|y| y * size).collect();
         self.numbering.scatter(&y, &mut answer.x);
+        answer.x.iter_mut().zip(self.start).for_each(|(x, start)| *x += start);
         answer.multipliers = solution.z.iter().map(|z| z * energy / size).collect();
         let steps = solution.iterations as usize;
         answer.iterations += steps;

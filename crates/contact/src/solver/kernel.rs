@@ -1,6 +1,7 @@
 //! Two-sided kernels: unknowns that hold the body during the solve, and the motion that restores `p(x) = 0` afterwards.
 //!
-//! The load does no work on a two-sided kernel motion, so holding one unknown per motion at zero calls up no reaction:
+//! The load does no work on a two-sided kernel motion, so holding one unknown per motion, at zero or at any other value
+//! ([`Settings::start_slide`](super::Settings::start_slide)), calls up no reaction:
 //! the held problem gives one of the solutions, and all others differ from it by kernel motions. This is the bordered
 //! system `[K Pᵀ; P 0]` solved exactly, without its indefiniteness.
 
@@ -31,6 +32,14 @@ pub fn anchors(kernel: &[Vec<f64>]) -> Option<Vec<usize>> {
         }
     }
     Some(anchors)
+}
+
+/// The point where the held unknowns have the value `at` and all others are zero: `x_0`, with `K (x − x_0) = f − K x_0` to be
+/// solved for `x − x_0`.
+pub fn start(qp: &BoundQp, held: &[usize], at: f64) -> Vec<f64> {
+    let mut x = vec![0.0; qp.matrix.dimension()];
+    held.iter().for_each(|&i| x[i] = at);
+    x
 }
 
 /// Position and value of the entry of largest absolute value, the first of several.

@@ -40,10 +40,10 @@ enum Preparation<'a> {
 }
 
 impl<'a> Prepared<'a> {
-    /// `condensed`: the sparse factorisation and the Schur complement. `interior-point` has nothing to prepare.
+    /// `condensed`, `monotone`: the sparse factorisation and the Schur complement. `interior-point` has nothing to prepare.
     pub fn new(qp: &'a BoundQp, method: Method) -> Self {
         Self(match method {
-            Method::Condensed => Preparation::Condensed(Box::new(condensed::Condensed::new(qp))),
+            Method::Condensed | Method::Monotone => Preparation::Condensed(Box::new(condensed::Condensed::new(qp))),
             Method::InteriorPoint => Preparation::InteriorPoint(qp),
         })
     }
@@ -67,6 +67,8 @@ impl<'a> Prepared<'a> {
 pub enum Method {
     /// One sparse factorisation, then an active set on the Schur complement of the bounded components.
     Condensed,
+    /// The same condensation, but from the start the method that lowers the energy in every step.
+    Monotone,
     /// Clarabel's interior point, then crossover.
     InteriorPoint,
 }
@@ -82,11 +84,14 @@ pub struct Settings {
     pub tolerance: f64,
     /// Interior point: whether the active set found is polished by an equality solve.
     pub crossover: bool,
+    /// Where a body may slide both ways: the value at which one component for each such motion is held while solving. The
+    /// conditions `p(x) = 0` move the solution afterwards, so the answer does not depend on it.
+    pub start_slide: f64,
 }
 
 impl Default for Settings {
     fn default() -> Self {
-        Self { method: Method::Condensed, max_steps: 50, tolerance: 1e-11, crossover: true }
+        Self { method: Method::Condensed, max_steps: 50, tolerance: 1e-11, crossover: true, start_slide: 0.0 }
     }
 }
 

@@ -7,8 +7,11 @@
 //!        Ω''        │n
 //! ```
 
+mod bilateral;
 #[cfg(test)]
 mod tests;
+
+pub use bilateral::ConstraintKind;
 
 use crate::geometry::{LinePoint, Vec2, cross};
 use crate::mesh::Mesh;
@@ -20,18 +23,20 @@ pub const SAME_NORMAL: f64 = 1e-8;
 /// Below this the two constraints at a corner are nearly dependent, which deserves a warning.
 pub const NEARLY_SAME_NORMAL: f64 = 0.05;
 
-/// `n·(v' − v'') ≤ gap` at a pair.
+/// `n·(v' − v'') ≤ gap` at a pair, or `=` where it is bilateral.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Constraint {
     /// Unit normal, outward from `Ω'`.
     pub normal: Vec2,
-    /// Initial gap, zero where the bodies touch before loading.
+    /// Initial gap, zero where the bodies touch before loading, negative where they penetrate.
     pub gap: f64,
     /// Half the measure of the adjacent sides with this normal (length, or width in `η` across a gap): the lumped mass of the
     /// pressure.
     pub mass: f64,
     /// The last contact side (index into `Mesh::contact`) that this constraint belongs to.
     pub side: usize,
+    /// Whether the bodies may part.
+    pub kind: ConstraintKind,
 }
 
 /// A node of `Ω'` and its partner in `Ω''`, at the same point of `Γ_K` or, across a gap, on the same line `η = C_j`.
@@ -67,7 +72,13 @@ impl Zone {
             let view = mesh.contact_view(side);
             let mass = 0.5 * view.measure();
             let points = [view.at(0.0), view.at(1.0)];
-            let constraint = |p: &LinePoint| Constraint { normal: p.normal, gap: p.gap, mass, side };
+            let constraint = |p: &LinePoint| Constraint {
+                normal: p.normal,
+                gap: p.gap,
+                mass,
+                side,
+                kind: ConstraintKind::Unilateral,
+            };
             let ends = [0, 1].map(|end| zone.add(mesh, side, end, constraint(&points[end]), &mut known));
             zone.side_normals.push(points.map(|p| p.normal));
             zone.side_ends.push(ends);

@@ -64,3 +64,27 @@ fn collinear_flanks_are_merged_and_nearly_collinear_ones_are_told() {
     assert!(nearly.warnings[0].contains("(0.5, 0)") && nearly.warnings[0].contains("4.0e-2"), "{:?}", nearly.warnings);
     assert!(bent_by(0.06).warnings.is_empty());
 }
+
+#[test]
+fn a_bilateral_part_is_closed_and_a_corner_keeps_its_own_kinds() {
+    use crate::zone::ConstraintKind::{Bilateral, Unilateral};
+    let mesh = kinked(4, Pattern::Structured).build().unwrap();
+    let kinds = |pieces: &[usize]| {
+        let mut zone = Zone::new(&mesh);
+        zone.make_bilateral(&mesh, pieces);
+        zone.pairs.iter().map(|p| p.constraints.iter().map(|c| c.kind).collect::<Vec<_>>()).collect::<Vec<_>>()
+    };
+    let right = kinds(&[1]);
+    assert!(right[..4].iter().all(|k| *k == [Unilateral]) && right[5..].iter().all(|k| *k == [Bilateral]));
+    assert_eq!(right[4], [Unilateral, Bilateral]);
+    assert!(kinds(&[0, 1]).iter().flatten().all(|k| *k == Bilateral));
+    assert!(kinds(&[2]).iter().flatten().all(|k| *k == Unilateral));
+    // on a straight line the two segments share a constraint: the end of the bilateral part belongs to it
+    let mut scene = squares(4, Pattern::Structured);
+    scene.contact = crate::mesh::tests::points([[0.0, 0.0], [0.25, 0.0], [1.0, 0.0]]).to_vec();
+    let mesh = scene.build().unwrap();
+    let mut zone = Zone::new(&mesh);
+    zone.make_bilateral(&mesh, &[0]);
+    let kinds: Vec<_> = zone.pairs.iter().map(|p| (p.constraints.len(), p.constraints[0].kind)).collect();
+    assert_eq!(kinds, [(1, Bilateral), (1, Bilateral), (1, Unilateral), (1, Unilateral), (1, Unilateral)]);
+}

@@ -160,6 +160,9 @@ pub fn blank(levels: Vec<Level>) -> StudyRecord {
         expected_inconclusive: None,
         notes: vec!["the mesh is symmetric".into()],
         zone: None,
+        corners: Vec::new(),
+        extrapolation: None,
+        refusal: None,
     }
 }
 
@@ -201,6 +204,7 @@ fn level(k: usize, errors: impl Fn(f64) -> Errors) -> Level {
         solution_h1: None,
         solution_trace: Some(1.0),
         contact: None,
+        second: None,
     }
 }
 
@@ -219,6 +223,7 @@ pub fn rate(levels: &[Level], c: f64, p: f64) -> Rate {
         curvature: 0.0007,
         dofs_slope: p,
         asymptotic: true,
+        log_alternatives: Vec::new(),
     }
 }
 

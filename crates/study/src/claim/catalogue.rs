@@ -134,7 +134,7 @@ mod tests {
             "theorem-3-5",
         ];
         assert_eq!(ids[..paper.len()], paper);
-        assert_eq!(ids[paper.len()..], ["corner-patch", "many-switches", "two-squares"]);
+        assert_eq!(ids[paper.len()..], ["corner-patch", "certificate", "many-switches", "two-squares"]);
         assert_eq!(ids.iter().collect::<BTreeSet<_>>().len(), ids.len());
     }
 
@@ -151,13 +151,19 @@ mod tests {
             "theorem-3-1",
             "remark-3-2a",
             "remark-3-2b",
+            "lemma-3-1",
+            "theorem-3-2",
             "lemma-3-2",
             "lemma-3-3",
             "lemma-3-4",
             "theorem-3-3",
             "remark-3-4",
             "theorem-3-4",
+            "lemma-3-5",
+            "lemma-3-6",
+            "theorem-3-5",
             "corner-patch",
+            "certificate",
             "many-switches",
             "two-squares",
         ];
@@ -169,7 +175,7 @@ mod tests {
         for e in catalogue() {
             assert!(!e.statement.is_empty() && !e.sources.is_empty(), "{}", e.id);
             let known = Errors::NORMS.contains(&e.norm)
-                || ["b_over_h2", "ledger", "splitting", "constant", "solution_h1"].contains(&e.norm);
+                || ["b_over_h2", "ledger", "splitting", "constant", "solution_h1", "kkt"].contains(&e.norm);
             assert!(known, "{}: {}", e.id, e.norm);
             let gated = e.paper.or(e.today).is_some();
             assert!(e.kind == ClaimKind::Rate || !gated, "{}: a bound that no rule reads", e.id);

@@ -3,7 +3,7 @@
 use super::parameters::{Parameter, Values};
 use super::{
     ArcPolynomial, ArcPowerLaw, CornerPatch, Exact, GapShape, GraphPolynomial, GraphPowerLaw, ManySwitches, Natural,
-    Polynomial, PowerLaw, Tiles,
+    Polynomial, PowerLaw, Slanted, Slide, Tiles,
 };
 use crate::nearest::nearest;
 use signorini_contact::material::Lame;
@@ -28,8 +28,8 @@ pub struct BuiltIn {
 }
 
 /// Every built-in solution. Those of the arc and of the graphs live on the bodies that [`super::arc`] and
-/// [`super::graph`] draw; all others but the patches on `Ω' = (0,1)×(0,1)`, `Ω'' = (0,1)×(−1,0)` with contact on
-/// `y = 0`, and they vanish on `y = ±1`.
+/// [`super::graph`] draw; all others but the patches and `bilateral` on `Ω' = (0,1)×(0,1)`, `Ω'' = (0,1)×(−1,0)` with contact on
+/// `y = 0`, and they vanish on `y = ±1`; of `slide` only the normal component does on `y = −1`.
 pub const BUILT_INS: &[BuiltIn] = &[
     BuiltIn {
         name: "P",
@@ -140,6 +140,26 @@ pub const BUILT_INS: &[BuiltIn] = &[
         build: |v, lame| {
             Ok(Arc::new(GraphPowerLaw::new(v.get("alpha")?, GapShape::from_parameter(v.get("gap")?)?, lame)?))
         },
+    },
+    BuiltIn {
+        name: "slide",
+        about: "P(3, 2) with Ω'' on a smooth floor y = −1, where it may slide; ∫ u_1 = slide there",
+        parameters: &[Parameter {
+            name: "slide",
+            meaning: "constant slide added to u_1 of Ω'': another solution for the same load, −10 ≤ slide ≤ 10",
+            default: Some(0.0),
+        }],
+        regularity: "s = 5/2",
+        sobolev: |_| Some(2.5),
+        build: |v, lame| Ok(Arc::new(Slide::new(v.get("slide")?, lame)?)),
+    },
+    BuiltIn {
+        name: "bilateral",
+        about: "contact line y = 0.3x, tied for x < 1/4 with tension there; Ω'' on a smooth floor y = −1",
+        parameters: &[],
+        regularity: "s = 5/2",
+        sobolev: |_| Some(2.5),
+        build: |_, lame| Ok(Arc::new(Slanted::new(lame))),
     },
 ];
 

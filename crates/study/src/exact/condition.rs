@@ -12,6 +12,8 @@ pub enum Condition {
     NoPenetration,
     /// `T'_n = T''_n`; across a gap `−T'_ξ/cos α' = T''_ξ/cos α''`.
     Reaction,
+    /// `n·(u' − u'') = 0` on a bilateral part, where tension is legitimate.
+    NoOpening,
     /// `T_n ≤ 0`, asked of each body; across a gap `T_ξ ≤ 0`.
     NoTension,
     /// `T_t = 0`; across a gap `T_η = 0`.
@@ -61,6 +63,11 @@ impl Condition {
                 zone.either("jump n·(u' − u'')", "approach beyond the gap, u''_ξ − u'_ξ − ε"),
                 "must not exceed 0",
                 "the bodies overlap; check the sign of the gap and which body is Ω'",
+            ),
+            Self::NoOpening => (
+                zone.either("jump |n·(u' − u'')| on a bilateral part", "|u''_ξ − u'_ξ − ε| on a bilateral part"),
+                "must be 0",
+                "the bodies part or overlap where they may not; check where the bilateral part ends",
             ),
             Self::NoTension => (
                 zone.either("contact stress T_n", "contact force T_ξ"),

@@ -17,6 +17,8 @@ mod patch;
 mod polar;
 mod polynomial;
 mod power_law;
+mod slanted;
+mod slide;
 #[cfg(test)]
 mod tests;
 mod tiles;
@@ -35,6 +37,8 @@ pub use parameters::Parameter;
 pub use patch::CornerPatch;
 pub use polynomial::Polynomial;
 pub use power_law::PowerLaw;
+pub use slanted::Slanted;
+pub use slide::Slide;
 pub use tiles::Tiles;
 pub use traces::{LineText, TraceError, TraceName, TraceTexts, Traces};
 

@@ -5,7 +5,7 @@
 //! `u ∈ H^{min(k, m+1) − 1/2 − δ}`; for `k = 3` the body force jumps there.
 
 use super::Field;
-use super::line::{cutoff, smooth};
+use super::line::{Trace, cutoff, smooth};
 use super::parameters;
 use crate::expr::{Real, positive_power};
 use signorini_contact::{Body, Point, geometry::Segment, material::Lame};
@@ -39,25 +39,30 @@ impl Polynomial {
     }
 }
 
+/// Trace and pressure of P(k, m) at `x`.
+pub(super) fn trace<D: Real>(body: Body, x: D, k: f64, m: f64) -> Trace<D> {
+    let s = switch();
+    let share = match body {
+        Body::First => 0.6,
+        Body::Second => -0.4,
+    };
+    let mut trace = smooth(body, x);
+    if x.re() > s {
+        // w = q + share g, g = (x−s)^k
+        let slope = positive_power(x - s, k - 1.0);
+        trace.w += slope * (x - s) * share;
+        trace.slope_w += slope * (k * share);
+    } else {
+        // p = −6 (s−x)^m
+        trace.p = positive_power(-x + s, m) * -PRESSURE;
+    }
+    trace
+}
+
 impl Field for Polynomial {
     fn eval<D: Real>(&self, body: Body, x: D, y: D) -> [D; 2] {
-        let s = switch();
-        let share = match body {
-            Body::First => 0.6,
-            Body::Second => -0.4,
-        };
-        let mut trace = smooth(body, x);
-        if x.re() > s {
-            // w = q + share g, g = (x−s)^k
-            let slope = positive_power(x - s, self.k - 1.0);
-            trace.w += slope * (x - s) * share;
-            trace.slope_w += slope * (self.k * share);
-        } else {
-            // p = −6 (s−x)^m
-            trace.p = positive_power(-x + s, self.m) * -PRESSURE;
-        }
         let chi = cutoff(y);
-        trace.extended(self.lame[body.index()], y).map(|u| u * chi)
+        trace(body, x, self.k, self.m).extended(self.lame[body.index()], y).map(|u| u * chi)
     }
 
     fn break_lines(&self) -> Vec<Segment> {

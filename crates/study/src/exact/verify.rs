@@ -4,7 +4,8 @@
 //! `t = τ ν` per unit of the zone's measure (`ν` each body's outward normal in that measure): `n·(u' − u'') ≤ ε`,
 //! `n·t' = −n·t'' = T ≤ 0`, `t'` and `t''` without a tangential part, `T (n·(u' − u'') − ε) = 0`, each to 1e-9 of the
 //! largest displacement or stress seen there. These are (3.9)–(3.12) on a common line, where `ε = 0`, and
-//! (3.9')–(3.12') across a gap, where `n = −e_ξ`. Beside it: the derivatives that the solution reports against
+//! (3.9')–(3.12') across a gap, where `n = −e_ξ`. On a bilateral part (Remark 3.3) `n·(u' − u'') = ε` and `T` may have either
+//! sign. Beside it: the derivatives that the solution reports against
 //! differences of its own values. A value that is not finite is refused wherever it is met.
 
 pub use super::condition::{Condition, VerifyError, Zone};
@@ -34,7 +35,9 @@ pub struct Verification {
     pub stress: f64,
     /// Largest `n·(u' − u'') − ε` over the largest displacement; 0 if never positive.
     pub penetration: f64,
-    /// Largest `T` over the largest stress; 0 if never positive.
+    /// Largest `|n·(u' − u'') − ε|` on bilateral parts over the largest displacement.
+    pub opening: f64,
+    /// Largest `T` over the largest stress; 0 if never positive outside bilateral parts.
     pub tension: f64,
     /// Largest `|T' − T''|` over the largest stress.
     pub reaction: f64,
@@ -44,7 +47,7 @@ pub struct Verification {
     pub complementarity: f64,
 }
 
-/// Checks `exact` with the materials of both bodies on the contact zone.
+/// Checks `exact` with the materials of both bodies on a contact zone without a bilateral part.
 ///
 /// # Errors
 /// The first condition that fails, in the order of [`Condition`] and then along the zone.
@@ -53,15 +56,34 @@ pub fn verify(
     materials: &[Material; 2],
     contact: &ContactLine,
 ) -> Result<Verification, VerifyError> {
-    let zone = if contact.direction().is_some() { Zone::Gap } else { Zone::Common };
-    checked(exact, materials, contact).map_err(|e| VerifyError { zone, ..e })
+    verify_tied(exact, materials, contact, &[])
 }
 
-fn checked(exact: &dyn Exact, materials: &[Material; 2], contact: &ContactLine) -> Result<Verification, VerifyError> {
-    let samples = sampled(exact, materials, contact)?;
+/// The same where the bodies may not part on some pieces of the zone, whose numbers are given.
+///
+/// # Errors
+/// As [`verify`].
+pub fn verify_tied(
+    exact: &dyn Exact,
+    materials: &[Material; 2],
+    contact: &ContactLine,
+    bilateral: &[usize],
+) -> Result<Verification, VerifyError> {
+    let zone = if contact.direction().is_some() { Zone::Gap } else { Zone::Common };
+    checked(exact, materials, contact, bilateral).map_err(|e| VerifyError { zone, ..e })
+}
+
+fn checked(
+    exact: &dyn Exact,
+    materials: &[Material; 2],
+    contact: &ContactLine,
+    bilateral: &[usize],
+) -> Result<Verification, VerifyError> {
+    let samples = sampled(exact, materials, contact, bilateral)?;
     let result = measured(&samples);
-    let checks: [Check; 5] = [
+    let checks: [Check; 6] = [
         (Condition::NoPenetration, result.displacement, |s| (None, s.jump)),
+        (Condition::NoOpening, result.displacement, |s| (None, s.opening())),
         (Condition::Reaction, result.stress, |s| (None, (s.normal[0] - s.normal[1]).abs())),
         (Condition::NoTension, result.stress, Sample::tension),
         (Condition::NoFriction, result.stress, Sample::friction),
@@ -95,6 +117,8 @@ struct Sample {
     /// On the boundary of `Ω'` and of `Ω''`.
     at: [Point; 2],
     jets: [Jet2; 2],
+    /// Whether the bodies may not part here.
+    bilateral: bool,
     /// Largest `|u|`, largest stress component.
     size: [f64; 2],
     /// `n·(u' − u'') − ε`.
@@ -106,7 +130,7 @@ struct Sample {
 }
 
 impl Sample {
-    fn new(exact: &dyn Exact, materials: &[Material; 2], point: &LinePoint) -> Self {
+    fn new(exact: &dyn Exact, materials: &[Material; 2], point: &LinePoint, bilateral: bool) -> Self {
         let (at, n) = (point.at, point.normal);
         let tau = Body::BOTH.map(|b| stress(exact, &materials[b.index()], b, at[b.index()]));
         let [first, second] =
@@ -115,6 +139,7 @@ impl Sample {
         Self {
             at,
             jets: Body::BOTH.map(|b| exact.jet2(b, at[b.index()])),
+            bilateral,
             size: [u[0].max(u[1]), tau.iter().flatten().fold(0.0, |m: f64, t| m.max(t.abs()))],
             jump: jump_at(exact, point) - point.gap,
             normal: [n.dot(&first), -n.dot(&second)],
@@ -122,8 +147,14 @@ impl Sample {
         }
     }
 
+    /// `T`, where it may not be positive.
     fn tension(&self) -> Residual {
-        larger(self.normal)
+        larger(if self.bilateral { [0.0; 2] } else { self.normal })
+    }
+
+    /// `|n·(u' − u'') − ε|`, where it has to vanish.
+    fn opening(&self) -> f64 {
+        if self.bilateral { self.jump.abs() } else { 0.0 }
     }
 
     fn friction(&self) -> Residual {
@@ -141,16 +172,21 @@ fn larger(values: [f64; 2]) -> Residual {
 }
 
 /// The samples of every piece; all of them finite.
-fn sampled(exact: &dyn Exact, materials: &[Material; 2], contact: &ContactLine) -> Result<Vec<Sample>, VerifyError> {
+fn sampled(
+    exact: &dyn Exact,
+    materials: &[Material; 2],
+    contact: &ContactLine,
+    bilateral: &[usize],
+) -> Result<Vec<Sample>, VerifyError> {
     let singular = exact.singular_points();
     let near = |at: &Point| singular.iter().any(|s| (s - at).norm() < AVOIDED);
     let mut all = Vec::new();
-    for piece in &contact.pieces() {
+    for (number, piece) in contact.pieces().iter().enumerate() {
         for point in midpoints().map(|t| place(piece, contact, t)) {
             if point.at.iter().any(near) {
                 continue;
             }
-            let sample = Sample::new(exact, materials, &point);
+            let sample = Sample::new(exact, materials, &point, bilateral.contains(&number));
             for body in Body::BOTH {
                 let bad = not_finite(&sample.jets[body.index()]);
                 let (at, value) = (point.at[body.index()], bad.unwrap_or(0.0));
@@ -187,6 +223,7 @@ fn measured(samples: &[Sample]) -> Verification {
         displacement,
         stress,
         penetration: relative(largest(&|s| s.jump), displacement),
+        opening: relative(largest(&Sample::opening), displacement),
         tension: relative(largest(&|s| s.tension().1), stress),
         reaction: relative(largest(&|s| (s.normal[0] - s.normal[1]).abs()), stress),
         tangential: relative(largest(&|s| s.friction().1), stress),

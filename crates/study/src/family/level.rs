@@ -5,6 +5,7 @@ use super::perturb::{Guard, perturb, turn_diagonals};
 use super::random::Random;
 use super::unstructured;
 use crate::study::{Discretisation, Shape};
+use signorini_contact::geometry::InitialGap;
 use signorini_contact::mesh::blocks::{QuadBlock, triangulate};
 use signorini_contact::mesh::{CurvedSides, Hierarchy, Mesh, PartOutline, Quality, Triangulation};
 use signorini_contact::{ContactLine, Error, Point};
@@ -38,6 +39,8 @@ pub struct Domain<'a> {
     pub outlines: Vec<PartOutline>,
     /// The contact zone.
     pub contact: &'a ContactLine,
+    /// The initial distance along it.
+    pub initial_gap: Option<&'a InitialGap>,
     /// What curved sides become.
     pub discretisation: Discretisation,
 }
@@ -173,6 +176,7 @@ impl Scene<'_> {
             bodies.iter_mut().for_each(|b| turn_diagonals(b, guard, &mut random));
         }
         let mut mesh = Mesh::build(bodies, &self.domain.outlines, self.domain.contact)?;
+        mesh.initial_gap = self.domain.initial_gap.cloned();
         mesh.curved.element = self.domain.discretisation.element;
         if let Some(amount) = self.family.amount() {
             perturb(&mut mesh, &self.fixed(), amount, guard, &mut random);

@@ -16,6 +16,7 @@
 use signorini_contact::Point;
 use signorini_contact::mesh::blocks::Pattern;
 
+mod cut;
 mod degenerate;
 pub mod delaunay;
 mod level;

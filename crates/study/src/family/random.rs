@@ -27,6 +27,11 @@ impl Random {
         (self.next() >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
     }
 
+    /// Uniform in `(0, 1)`.
+    pub fn uniform(&mut self) -> f64 {
+        (self.next() >> 11) as f64 * 2.0_f64.powi(-53) + 2.0_f64.powi(-54)
+    }
+
     /// Uniform in the unit disc, by rejection: no trigonometry, which differs between machines.
     pub fn in_disc(&mut self) -> [f64; 2] {
         loop {

@@ -23,6 +23,7 @@ impl Scene {
             shapes: &self.shapes,
             outlines: self.outlines.clone(),
             contact: &self.contact,
+            initial_gap: None,
             discretisation: Default::default(),
         }
     }

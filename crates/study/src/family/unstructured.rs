@@ -1,8 +1,8 @@
 //! Families whose meshes are Delaunay triangulations of the bodies: uniform, graded towards a point, or strongly regular for
 //! refinement.
 
-use super::Domain;
 use super::delaunay::{BlockOutline, Loop, fill, outer_loop, strongly_regular};
+use super::{Domain, cut};
 use crate::study::Shape;
 use signorini_contact::geometry::Piece;
 use signorini_contact::mesh::Triangulation;
@@ -16,7 +16,8 @@ fn loops(domain: &Domain, n: usize) -> Result<[Loop; 2], Error> {
             let quad = QuadBlock { curves: b.curves.clone(), ..QuadBlock::straight(b.corners, [1, 1]) };
             BlockOutline { sides: [0, 1, 2, 3].map(|k| quad.side(k)), cells: b.divisions.map(|d| d.saturating_mul(n)) }
         };
-        outer_loop(&shape.blocks.iter().map(outline).collect::<Vec<_>>()).map_err(|e| match e {
+        let whole = outer_loop(&shape.blocks.iter().map(outline).collect::<Vec<_>>());
+        whole.map(|boundary| cut::at_points(boundary, &domain.contact.corners())).map_err(|e| match e {
             Error::Mesh(message) => Error::Mesh(format!("body \"{}\": {message}", shape.name)),
             other => other,
         })

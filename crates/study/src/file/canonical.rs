@@ -9,6 +9,7 @@ use super::raw::{RawBoundary, RawExact, RawField, RawPoint, RawTraces};
 use crate::claim::Claim;
 use crate::study::{Block, Case, Scene, Subject};
 use signorini_contact::mesh::blocks::EVEN;
+use signorini_contact::solver::Settings;
 use signorini_contact::{Material, Point};
 use std::fmt::Write;
 use toml::Spanned;
@@ -24,7 +25,19 @@ pub fn text(case: &Case, layer: &Layer<'_>, claim: &Claim) -> String {
     lines.put("family", format!("{:?}", case.family));
     lines.put("levels", format!("{:?} {:?}", case.quick, case.full));
     lines.put("reference", format!("{:?}", case.reference));
-    lines.put("solver", format!("{:?}", case.solver));
+    if case.projects {
+        lines.put("project", "true");
+    }
+    if case.expected_from_corners {
+        lines.put("expected", "from the corners");
+    }
+    lines.put("solver", solver(&case.solver));
+    if let Some(second) = case.second {
+        lines.put("second opinion", second.name());
+    }
+    if case.refused {
+        lines.put("refused", "true");
+    }
     lines.put("claim", format!("{} {:?} {}", claim.id, claim.kind, claim.norm));
     lines.put("gates", format!("{:?} {:?} {}", case.gates, case.bounds, case.expected_is_asymptotic));
     lines.put("fixed quadrature", case.fixed_quadrature.to_string());
@@ -35,12 +48,30 @@ pub fn text(case: &Case, layer: &Layer<'_>, claim: &Claim) -> String {
     lines.0
 }
 
+/// A start of the slide other than zero is named; without one the text is the same as ever.
+fn solver(settings: &Settings) -> String {
+    let Settings { method, max_steps, tolerance, crossover, start_slide } = settings;
+    let start = if *start_slide == 0.0 { String::new() } else { format!(", start_slide: {start_slide:?}") };
+    format!(
+        "Settings {{ method: {method:?}, max_steps: {max_steps}, tolerance: {tolerance:?}, crossover: {crossover}{start} }}"
+    )
+}
+
 fn contact(lines: &mut Lines, scene: &Scene, layer: &Layer<'_>) {
     bodies(lines, scene, layer);
     for (raw, part) in layer.boundary.unwrap_or_default().iter().zip(&scene.parts) {
         lines.put("part", format!("{:?} {} {}", part.body, part.along.describe(), condition(raw)));
     }
     lines.put("contact", scene.contact.describe());
+    if !scene.bilateral.is_empty() {
+        lines.put("bilateral pieces", format!("{:?}", scene.bilateral));
+    }
+    if let Some(slide) = &scene.slide {
+        lines.put("slide", format!("{slide:?}"));
+    }
+    if let Some(gap) = layer.contact.and_then(|c| c.initial_gap.as_ref()) {
+        lines.put("initial gap", format!("{:?}", gap.get_ref()));
+    }
     if scene.symmetric {
         lines.put("symmetric", "true");
     }

@@ -1,18 +1,24 @@
 //! What a case is judged by: the claim, its bounds, the gates.
 
 use super::error::{Fault, refuse};
+use super::expected::ExpectedRate;
 use super::number::{Finite, OrNone};
-use super::raw::{RawClaim, RawExpected, RawGates, RawStudy};
+use super::raw::{RawClaim, RawExact, RawExpected, RawGates, RawStudy};
 use super::words::suggestion;
 use crate::claim::Claim;
 use crate::claim::catalogue::{Standing, catalogue, find};
+use crate::exact::sobolev_order;
 use crate::record::{Bounds, ClaimKind, Errors, FormulaValues};
 use crate::study::{Gates, Scene, Subject};
+use std::collections::BTreeMap;
 use std::ops::Range;
 use toml::Spanned;
 
 /// What else than an error norm a claim of a study's own may judge.
-const CONSTANTS: [&str; 5] = ["b_over_h2", "ledger", "splitting", "constant", "solution_h1"];
+const CONSTANTS: [&str; 6] = ["b_over_h2", "ledger", "splitting", "constant", "solution_h1", CERTIFICATE];
+
+/// What a claim of the kind `certificate` judges, and no other.
+const CERTIFICATE: &str = "kkt";
 
 /// The study's claim: one of the catalogue or its own.
 pub fn claim(raw: &RawStudy) -> Result<Claim, Fault> {
@@ -44,6 +50,10 @@ fn own_claim(raw: &RawClaim) -> Result<Claim, Fault> {
     let known: Vec<&str> = Errors::NORMS.into_iter().chain(CONSTANTS).chain(Errors::OF_FORMULA).collect();
     if !known.contains(&norm.as_str()) {
         return refuse(raw.norm.span(), format!("no error norm `{norm}`"), suggestion(norm, &known));
+    }
+    if (raw.kind == ClaimKind::Certificate) != (norm == CERTIFICATE) {
+        let message = format!("kind `certificate` judges `{CERTIFICATE}`, and no other kind does");
+        return refuse(raw.norm.span(), message, "let kind and norm belong together");
     }
     let of_formula = Errors::OF_FORMULA.contains(&norm.as_str());
     if raw.kind == ClaimKind::Agreement && !of_formula {
@@ -78,9 +88,42 @@ pub fn bounds(claim: &Bounds, raw: Option<&Spanned<RawExpected>>) -> Result<(Bou
     let bounds = Bounds {
         paper: own(e.paper, claim.paper),
         today: own(e.today, claim.today),
-        expected: own(e.rate, claim.expected),
+        expected: match e.rate {
+            Some(ExpectedRate::Given(rate)) => rate,
+            // the run fills it in
+            Some(ExpectedRate::Corners) => None,
+            None => claim.expected,
+        },
     };
     Ok((bounds, e.asymptotic_only))
+}
+
+/// Whether the expected rate is that of the scene's corners, which the program computes itself.
+pub fn expects_corners(raw: Option<&Spanned<RawExpected>>, subject: &Subject) -> Result<bool, Fault> {
+    let Some(raw) = raw.filter(|e| e.get_ref().rate == Some(ExpectedRate::Corners)) else { return Ok(false) };
+    let next = "give the rate as a number";
+    match subject {
+        Subject::Contact(scene) if scene.exact.is_none() => Ok(true),
+        Subject::Contact(_) => {
+            let message = "rate = \"corners\" beside an exact solution, which decides its regularity itself";
+            refuse(raw.span(), message, next)
+        }
+        Subject::Lemma(_) => refuse(raw.span(), "rate = \"corners\" of a lemma, which has no corners", next),
+    }
+}
+
+/// Whether the regularity is borderline, `u ∈ H^s` with `s = 2` where the rate `min(1, s − 1)` has its kink: what the study says, else
+/// what is known of its built-in solution.
+pub fn is_borderline(
+    expected: Option<&Spanned<RawExpected>>,
+    exact: Option<&Spanned<RawExact>>,
+    parameters: &BTreeMap<String, f64>,
+) -> bool {
+    let known = || {
+        let name = exact?.get_ref().builtin.as_ref()?;
+        sobolev_order(name.get_ref(), parameters).ok().flatten()
+    };
+    expected.and_then(|e| e.get_ref().borderline).unwrap_or_else(|| known() == Some(2.0))
 }
 
 /// The gates, and whether quadrature is fixed. Whatever moves a gate needs a reason; only a control plants a defect.

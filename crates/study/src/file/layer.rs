@@ -3,7 +3,7 @@
 use super::number::Finite;
 use super::raw::{
     Expect, RawBody, RawBoundary, RawCase, RawContact, RawCurve, RawDiscretisation, RawExact, RawExpected, RawFamily,
-    RawFormula, RawGates, RawLemma, RawLevels, RawReference, RawSolver, RawStudy,
+    RawFormula, RawGates, RawLemma, RawLevels, RawReference, RawSlide, RawSolver, RawStudy,
 };
 use super::splitting::RawSplitting;
 use std::collections::BTreeMap;
@@ -17,6 +17,7 @@ pub struct Layer<'a> {
     pub body: Option<&'a [Spanned<RawBody>]>,
     pub boundary: Option<&'a [RawBoundary]>,
     pub contact: Option<&'a RawContact>,
+    pub slide: Option<&'a Spanned<RawSlide>>,
     pub curve: Option<&'a [Spanned<RawCurve>]>,
     pub discretisation: Option<&'a Spanned<RawDiscretisation>>,
     pub exact: Option<&'a Spanned<RawExact>>,
@@ -41,6 +42,7 @@ macro_rules! layer_of {
             body: $raw.body.as_deref(),
             boundary: $raw.boundary.as_deref(),
             contact: $raw.contact.as_ref(),
+            slide: $raw.slide.as_ref(),
             curve: $raw.curve.as_deref(),
             discretisation: $raw.discretisation.as_ref(),
             exact: $raw.exact.as_ref(),
@@ -79,6 +81,7 @@ impl<'a> Layer<'a> {
             body: self.body.or(base.body),
             boundary: self.boundary.or(base.boundary),
             contact: self.contact.or(base.contact),
+            slide: self.slide.or(base.slide),
             curve: self.curve.or(base.curve),
             discretisation: self.discretisation.or(base.discretisation),
             exact: self.exact.or(base.exact),

@@ -52,6 +52,7 @@ pub fn nothing_else(layer: &Layer<'_>) -> Result<(), Fault> {
         body,
         boundary,
         layer.contact.and_then(|c| c.span()).map(|span| ("[contact]", span)),
+        layer.slide.map(|s| ("[slide]", s.span())),
         layer.curve.and_then(|c| c.first()).map(|c| ("[[curve]]", c.span())),
         layer.discretisation.map(|d| ("[discretisation]", d.span())),
         layer.exact.map(|e| ("[exact]", e.span())),

@@ -6,6 +6,7 @@
 //!
 //! `studies/README.md` describes every field. [`library`] finds the files.
 
+mod bilateral;
 mod boundary;
 mod canonical;
 mod curve;
@@ -13,9 +14,11 @@ mod degenerate;
 mod discretisation;
 mod error;
 mod exact;
+mod expected;
 mod field;
 mod fixed;
 mod formula;
+mod initial_gap;
 mod judge;
 mod layer;
 mod lemma;
@@ -28,6 +31,7 @@ mod raw;
 mod resolve;
 mod shape;
 mod shipped;
+mod slide;
 mod splitting;
 #[cfg(test)]
 mod tests;

@@ -107,6 +107,22 @@ pub fn reference(
     }
 }
 
+/// Whether the levels project the reference onto `K_h` instead of solving the scene's own problem.
+pub fn projects(raw: Option<&Spanned<RawReference>>, is_located: bool) -> Result<bool, Fault> {
+    let Some((kind, project)) = raw.and_then(|r| Some((r.get_ref().kind, r.get_ref().project.as_ref()?))) else {
+        return Ok(false);
+    };
+    let is_ready = kind == ReferenceName::Exact || kind == ReferenceName::Overkill && !is_located;
+    match *project.get_ref() {
+        true if !is_ready => refuse(
+            project.span(),
+            "`project` of a reference that is neither exact nor nested above the levels",
+            "give an exact solution, or straight bodies and a nested family",
+        ),
+        given => Ok(given),
+    }
+}
+
 fn cells(raw: Option<&Spanned<usize>>, default: usize) -> Result<usize, Fault> {
     let Some(raw) = raw else { return Ok(default) };
     in_range(*raw.get_ref(), raw.span())
@@ -209,14 +225,31 @@ fn finer(levels: &[usize], reference: usize, span: Range<usize>) -> Result<(), F
     }
 }
 
+fn method(name: SolverName) -> Method {
+    match name {
+        SolverName::Condensed => Method::Condensed,
+        SolverName::Monotone => Method::Monotone,
+        SolverName::InteriorPoint => Method::InteriorPoint,
+    }
+}
+
+/// Who gives the second opinion; not the solver whose answer it is held against.
+pub fn second(raw: Option<&RawSolver>) -> Result<Option<Method>, Fault> {
+    let Some(second) = raw.and_then(|r| r.second.as_ref()) else { return Ok(None) };
+    let first = raw.and_then(|r| r.name).map_or(Settings::default().method, method);
+    let other = method(*second.get_ref());
+    if other == first {
+        let message = format!("`second` is {} like the first solver: it would agree with itself", other.name());
+        return refuse(second.span(), message, "choose another: condensed, monotone or interior-point");
+    }
+    Ok(Some(other))
+}
+
 /// Solver settings.
 pub fn solver(raw: Option<&RawSolver>) -> Result<Settings, Fault> {
     let mut settings = Settings::default();
     let Some(raw) = raw else { return Ok(settings) };
-    settings.method = match raw.name {
-        None | Some(SolverName::Condensed) => Method::Condensed,
-        Some(SolverName::InteriorPoint) => Method::InteriorPoint,
-    };
+    settings.method = raw.name.map_or(settings.method, method);
     if let Some(t) = &raw.tolerance {
         settings.tolerance = t.get_ref().0;
         if !(0.0 < settings.tolerance && settings.tolerance < 1.0) {
@@ -229,6 +262,9 @@ pub fn solver(raw: Option<&RawSolver>) -> Result<Settings, Fault> {
         if settings.max_steps == 0 {
             return refuse(steps.span(), "max_steps = 0 leaves nothing to do", "50 is the default");
         }
+    }
+    if let Some(start) = &raw.start_slide {
+        settings.start_slide = start.get_ref().0;
     }
     settings.crossover = raw.crossover.unwrap_or(settings.crossover);
     Ok(settings)

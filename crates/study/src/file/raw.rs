@@ -2,6 +2,7 @@
 //!
 //! No `flatten` and no `untagged`: both lose line and column and let misspelt keys pass.
 
+use super::expected::ExpectedRate;
 use super::fixed::Fixed;
 use super::number::{Finite, NumberOrText, OrNone};
 use super::splitting::RawSplitting;
@@ -31,6 +32,7 @@ pub struct RawStudy {
     pub body: Option<Vec<Spanned<RawBody>>>,
     pub boundary: Option<Vec<RawBoundary>>,
     pub contact: Option<RawContact>,
+    pub slide: Option<Spanned<RawSlide>>,
     pub curve: Option<Vec<Spanned<RawCurve>>>,
     pub discretisation: Option<Spanned<RawDiscretisation>>,
     pub exact: Option<Spanned<RawExact>>,
@@ -57,6 +59,7 @@ pub struct RawCase {
     pub body: Option<Vec<Spanned<RawBody>>>,
     pub boundary: Option<Vec<RawBoundary>>,
     pub contact: Option<RawContact>,
+    pub slide: Option<Spanned<RawSlide>>,
     pub curve: Option<Vec<Spanned<RawCurve>>>,
     pub discretisation: Option<Spanned<RawDiscretisation>>,
     pub exact: Option<Spanned<RawExact>>,
@@ -76,6 +79,7 @@ pub struct RawCase {
 pub enum Expect {
     Fail,
     Inconclusive,
+    Refused,
 }
 
 #[derive(Deserialize)]
@@ -168,8 +172,11 @@ pub struct RawContact {
     pub curves: Vec<Spanned<String>>,
     pub gap: Option<Spanned<Fixed<Spanned<String>, 2>>>,
     pub direction: Option<Spanned<RawPoint>>,
+    pub initial_gap: Option<Spanned<String>>,
     #[serde(default)]
     pub symmetric: bool,
+    #[serde(default)]
+    pub bilateral: Vec<Spanned<Fixed<RawPoint, 2>>>,
 }
 
 impl RawContact {
@@ -177,6 +184,13 @@ impl RawContact {
     pub fn span(&self) -> Option<std::ops::Range<usize>> {
         self.along.as_ref().map(Spanned::span).or(self.gap.as_ref().map(Spanned::span))
     }
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawSlide {
+    pub body: Spanned<String>,
+    pub along: Spanned<Fixed<RawPoint, 2>>,
 }
 
 #[derive(Deserialize)]
@@ -395,6 +409,7 @@ pub struct RawReference {
     pub kind: ReferenceName,
     pub quick: Option<Spanned<usize>>,
     pub full: Option<Spanned<usize>>,
+    pub project: Option<Spanned<bool>>,
 }
 
 #[derive(Clone, Copy, Deserialize, PartialEq)]
@@ -412,12 +427,15 @@ pub struct RawSolver {
     pub tolerance: Option<Spanned<Finite>>,
     pub crossover: Option<bool>,
     pub max_steps: Option<Spanned<usize>>,
+    pub start_slide: Option<Spanned<Finite>>,
+    pub second: Option<Spanned<SolverName>>,
 }
 
 #[derive(Clone, Copy, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum SolverName {
     Condensed,
+    Monotone,
     InteriorPoint,
 }
 
@@ -438,10 +456,11 @@ pub struct RawGates {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct RawExpected {
-    pub rate: Option<OrNone>,
+    pub rate: Option<ExpectedRate>,
     pub paper: Option<OrNone>,
     pub today: Option<OrNone>,
     #[serde(default)]
     pub asymptotic_only: bool,
+    pub borderline: Option<bool>,
     pub reason: Option<String>,
 }

@@ -6,7 +6,10 @@ use super::error::{Fault, refuse};
 use super::field::{INSIDE, vector_field};
 use super::layer::Layer;
 use super::raw::{Expect, RawBody, RawStudy};
-use super::{boundary, discretisation, exact, formula, judge, lemma, material, plan, shape, splitting, words};
+use super::{
+    bilateral, boundary, discretisation, exact, formula, initial_gap, judge, lemma, material, plan, shape, slide,
+    splitting, words,
+};
 use crate::claim::Claim;
 use crate::lemma::Lemma;
 use crate::record::Outcome;
@@ -60,7 +63,8 @@ fn cases(raw: &RawStudy, claim: &Claim) -> Result<Vec<Case>, Fault> {
 
 fn case(name: &Spanned<String>, layer: Layer<'_>, claim: &Claim) -> Result<Case, Fault> {
     let place = name.span();
-    let control = layer.expect.is_some();
+    let refused = matches!(layer.expect, Some(Expect::Refused));
+    let control = layer.expect.is_some() && !refused;
     let subject = subject(&layer, &place, control)?;
     let lemma = match &subject {
         Subject::Lemma(lemma) => Some(lemma),
@@ -90,6 +94,8 @@ fn case(name: &Spanned<String>, layer: Layer<'_>, claim: &Claim) -> Result<Case,
     }
     let (bounds, expected_is_asymptotic) = judge::bounds(&claim.bounds, layer.expected)?;
     let splitting = splitting::splitting(layer.splitting, claim, &subject, &reference, is_located, place.clone())?;
+    let expected_from_corners = judge::expects_corners(layer.expected, &subject)?;
+    let projects = plan::projects(layer.reference, is_located)?;
     let mut case = Case {
         name: name.get_ref().clone(),
         notes: notes(&layer, &subject, &reference, is_located),
@@ -99,10 +105,15 @@ fn case(name: &Spanned<String>, layer: Layer<'_>, claim: &Claim) -> Result<Case,
         full,
         reference,
         solver: plan::solver(layer.solver)?,
+        second: plan::second(layer.solver)?,
         gates,
         bounds,
         expected_is_asymptotic,
-        expect: layer.expect.map(outcome),
+        expected_from_corners,
+        projects,
+        borderline: judge::is_borderline(layer.expected, layer.exact, &layer.parameters),
+        expect: layer.expect.and_then(outcome),
+        refused,
         inconclusive_at_quick: layer.inconclusive_at_quick.cloned(),
         splitting,
         fixed_quadrature,
@@ -114,10 +125,12 @@ fn case(name: &Spanned<String>, layer: Layer<'_>, claim: &Claim) -> Result<Case,
     Ok(case)
 }
 
-fn outcome(expect: Expect) -> Outcome {
+/// A refusal is no verdict on what was measured: see [`Case::refused`].
+fn outcome(expect: Expect) -> Option<Outcome> {
     match expect {
-        Expect::Fail => Outcome::Fail,
-        Expect::Inconclusive => Outcome::Inconclusive,
+        Expect::Fail => Some(Outcome::Fail),
+        Expect::Inconclusive => Some(Outcome::Inconclusive),
+        Expect::Refused => None,
     }
 }
 
@@ -167,13 +180,18 @@ fn scene(layer: &Layer<'_>, place: &Range<usize>, control: bool) -> Result<Scene
     };
     let force = |body: &RawBody| body.force.as_ref().map(|f| vector_field(f, &INSIDE, p)).transpose();
     let symmetric = contact.symmetric;
-    let contact = boundary::contact(contact, &bodies, &curves, place.clone())?;
+    let raw_contact = contact;
+    let line = boundary::contact(contact, &bodies, &curves, place.clone())?;
+    let (contact, bilateral) = bilateral::split(line, &contact.bilateral)?;
     Ok(Scene {
         formula: layer.formula.map(|f| formula::formula(f, &contact, p)).transpose()?,
         symmetric,
         parts: boundary::parts(layer.boundary.unwrap_or_default(), &bodies, &curves, p)?,
         discretisation: discretisation::discretisation(layer.discretisation, &contact)?,
+        initial_gap: initial_gap::initial_gap(raw_contact, &contact, layer.exact.map(Spanned::get_ref), p)?,
         contact,
+        bilateral,
+        slide: layer.slide.map(|s| slide::slide(s.get_ref(), &bodies)).transpose()?,
         body_force: [force(a)?, force(b)?],
         exact: layer
             .exact

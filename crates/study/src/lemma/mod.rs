@@ -185,5 +185,6 @@ fn level(index: usize, cells: usize, certificate: Certificate, errors: Errors, b
         solution_h1: None,
         solution_trace: None,
         contact: None,
+        second: None,
     }
 }

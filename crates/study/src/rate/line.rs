@@ -10,6 +10,8 @@ pub(super) struct Line {
     pub stderr: f64,
     /// Coefficient of determination.
     pub r2: f64,
+    /// Root mean square of the residuals.
+    pub residual: f64,
 }
 
 impl Line {
@@ -31,6 +33,7 @@ impl Line {
             stderr: (sse / ((n - 2.0) * sxx)).sqrt(),
             // R² = 1 − SSE / S_yy
             r2: 1.0 - sse / syy,
+            residual: (sse / n).sqrt(),
         }
     }
 }

@@ -13,14 +13,17 @@
 //! The window is chosen from the measured errors alone; the claim has no say in it. On noise-free data the residuals
 //! are systematic, so the interval is descriptive, and [`Rate::curvature`] stands beside it.
 
+pub mod coverage;
 mod guard;
 mod line;
+mod logarithm;
 mod of_ledger;
 mod of_levels;
 pub mod student;
 mod window;
 
 pub use guard::{NoFit, check};
+pub use logarithm::{POWERS, log_alternatives};
 pub use of_ledger::{PREFIX as LEDGER, fit_term};
 pub use of_levels::{ROUNDING, all, fit_levels, is_rounding, points, rounding_floor};
 
@@ -85,6 +88,7 @@ pub fn fit_above(points: &[Point], floor: f64) -> Result<Rate, NoFit> {
         curvature: (inner[inner.len() - 1] - inner[0]) / (inner.len() - 1) as f64,
         dofs_slope: Line::through(&logs(chosen, |p| (p.dofs as f64).powf(-0.5))).slope,
         asymptotic: window.asymptotic,
+        log_alternatives: Vec::new(),
     })
 }
 

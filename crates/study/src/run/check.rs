@@ -1,11 +1,14 @@
 //! Everything but the solve: what a case would do, level by level.
 
-use super::{Profile, verify_exact};
+use super::corners::corners_of;
+use super::{Profile, refused, verify_exact};
 use crate::error::RunError;
 use crate::family;
-use crate::record::Level;
+use crate::record::{Corner, Level};
 use crate::study::{Case, Scene, Subject};
+use signorini_contact::assembly;
 use signorini_contact::problem::Problem;
+use signorini_contact::zone::Zone;
 
 /// A level before it is solved.
 #[derive(Clone, Debug, PartialEq)]
@@ -42,7 +45,18 @@ pub fn check_case(case: &Case, profile: Profile) -> Result<Vec<CheckedLevel>, Ru
         Subject::Lemma(lemma) => return (0..cells.len()).map(|k| lemma.measure(cells, k).map(checked)).collect(),
     };
     verify_exact(case, scene)?;
-    (0..cells.len()).map(|index| check_level(case, scene, cells, index)).collect()
+    let checked = (0..cells.len()).map(|index| check_level(case, scene, cells, index)).collect();
+    let mut parted = refused::part(checked, cells)?;
+    parted.solved[0].warnings.extend(parted.refused);
+    Ok(parted.solved)
+}
+
+/// The corners of a case with their exponents; nothing is solved, so no state governs.
+///
+/// # Errors
+/// As [`check_case`].
+pub fn check_corners(case: &Case, profile: Profile) -> Result<Vec<Corner>, RunError> {
+    corners_of(case, if profile == Profile::Quick { &case.quick } else { &case.full }, None)
 }
 
 fn checked(level: Level) -> CheckedLevel {
@@ -59,13 +73,14 @@ fn checked(level: Level) -> CheckedLevel {
     }
 }
 
-fn check_level(case: &Case, scene: &Scene, cells: &[usize], index: usize) -> Result<CheckedLevel, RunError> {
+pub(super) fn check_level(case: &Case, scene: &Scene, cells: &[usize], index: usize) -> Result<CheckedLevel, RunError> {
     let meshed = family::build_level(&case.family, &scene.domain(), cells, index)?;
     let supports = scene.supports();
     let cubature = scene.cubature(0, case.fixed_quadrature);
     let mesh = meshed.hierarchy.finest();
     let problem = Problem { mesh, materials: scene.materials, supports: &supports, data: scene, cubature: &cubature };
-    let discrete = problem.discretise()?;
+    let load = assembly::loads(mesh, &supports, scene, &cubature)?;
+    let discrete = scene.discretise(&problem, load, Zone::new(mesh))?;
     Ok(CheckedLevel {
         cells: cells[index],
         h: meshed.quality.h,

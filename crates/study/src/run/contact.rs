@@ -6,7 +6,7 @@ use signorini_contact::mesh::Mesh;
 use signorini_contact::mesh::side::ContactView;
 use signorini_contact::problem::{Discrete, Solution};
 use signorini_contact::quadrature::Cubature;
-use signorini_contact::zone::side_length;
+use signorini_contact::zone::{ConstraintKind, side_length};
 
 /// A constraint is active when its force exceeds this share of the largest.
 const ACTIVE: f64 = 1e-8;
@@ -29,11 +29,13 @@ impl ContactState {
         let largest = solution.raw.multipliers.iter().fold(0.0, |m: f64, l| m.max(l.abs()));
         let is_active = |force: f64| force > ACTIVE * largest;
         let zone = &discrete.zone;
+        // where the bodies may not part there is contact, whatever the sign of the force
+        let is_tied = |(pair, k): (usize, usize)| zone.pairs[pair].constraints[k].kind == ConstraintKind::Bilateral;
         let force = |(pair, k): (usize, usize)| solution.contact_forces[pair][k];
         let pressure = |(pair, k): (usize, usize)| force((pair, k)) / zone.pairs[pair].constraints[k].mass;
         Self {
             pressure: zone.side_ends.iter().map(|ends| ends.map(pressure)).collect(),
-            active: zone.side_ends.iter().map(|ends| ends.map(|e| is_active(force(e)))).collect(),
+            active: zone.side_ends.iter().map(|ends| ends.map(|e| is_tied(e) || is_active(force(e)))).collect(),
             penetration: (0..mesh.contact.len()).map(|side| penetration(mesh, side, &solution.displacement)).collect(),
             active_constraints: solution.raw.multipliers.iter().filter(|l| is_active(**l)).count(),
         }
@@ -56,10 +58,11 @@ impl ContactState {
     }
 }
 
-/// `∫ ([u_h]_n − ε)_+² dμ` over a side: in closed form where the jump is linear, by quadrature elsewhere.
+/// `∫ ([u_h]_n − ε)_+² dμ` over a side: in closed form where the jump is linear and there is no gap, by quadrature elsewhere.
 fn penetration(mesh: &Mesh, side: usize, u: &[Vec2]) -> f64 {
     let view = mesh.contact_view(side);
-    if mesh.direction.is_none() && matches!(view.sides[0].piece, Piece::Straight(_)) {
+    let touching = mesh.direction.is_none() && mesh.initial_gap.is_none();
+    if touching && matches!(view.sides[0].piece, Piece::Straight(_)) {
         return view.measure() * positive_square([0.0, 1.0].map(|t| view.jump(t, &view.at(t), u)));
     }
     let mut square = 0.0;

@@ -4,13 +4,18 @@
 //! order of the file, so the records do not depend on the number of threads.
 
 mod check;
+mod conforming;
 mod contact;
 mod contact_width;
+mod corners;
 mod level;
 mod overlay;
 mod partial;
 mod profile;
 mod reference;
+mod refusal;
+mod refused;
+mod slide;
 #[cfg(test)]
 mod tests;
 pub mod timing;
@@ -26,11 +31,14 @@ use crate::record::{Level, Reference, SCHEMA, StudyRecord};
 use crate::reference::overkill::Overkill;
 use crate::study::{Case, ReferencePlan, Scene, Study, Subject};
 use crate::verdict::{self, JudgeInput};
-pub use check::{CheckedLevel, check_case};
+use check::check_level as level_without_solve;
+pub use check::{CheckedLevel, check_case, check_corners};
+use corners::corners_of;
 use level::Task;
 use partial::Partial;
 pub use partial::tidy;
 use rayon::prelude::*;
+pub use refusal::check_refusal;
 pub use signorini_contact::solver::Method;
 use signorini_contact::solver::Settings;
 use signorini_contact::zone::Zone;
@@ -115,6 +123,7 @@ pub fn each_case<T: Send>(
 /// Meaningless input: an exact solution that breaks its contact conditions, a load without equilibrium, …
 pub fn run_case(study: &Study, case: &Case, settings: &RunSettings, watch: &dyn Watch) -> Result<CaseRun, RunError> {
     match &case.subject {
+        Subject::Contact(scene) if case.refused => refusal::run_refused(study, case, scene, settings),
         Subject::Contact(scene) => run_contact(study, case, scene, settings, watch),
         Subject::Lemma(lemma) => run_lemma(study, case, lemma, settings, watch),
     }
@@ -138,7 +147,7 @@ fn run_lemma(
     };
     let (levels, times) = side_by_side(cells.len(), measure)?;
     let reference = if case.reference == ReferencePlan::Exact { Reference::Exact } else { Reference::None };
-    let record = conclude(study, case, settings, levels, reference);
+    let record = conclude(study, case, settings, levels, reference)?;
     Ok(CaseRun { record, times, reference_times: None, kept: Partial::none() })
 }
 
@@ -160,6 +169,7 @@ fn run_contact(
     watch: &dyn Watch,
 ) -> Result<CaseRun, RunError> {
     verify_exact(case, scene)?;
+    slide::verify(scene, &study.claim.norm)?;
     let cells = cells_of(case, settings);
     let task = Task { case, scene, cells, settings: solver_settings(case, settings), constrain: Zone::new };
     let partial = Partial::open(study, case, settings, &task)?;
@@ -172,9 +182,13 @@ fn run_contact(
         watch.level_done(&study.id, &case.name, index);
         measured
     };
-    let (levels, times) = side_by_side(cells.len(), measure)?;
+    let measured: Vec<_> = (0..cells.len()).into_par_iter().map(measure).collect();
+    let refused::Parted { solved, refused } = refused::part(measured, cells)?;
+    let (levels, times) = solved.into_iter().unzip();
     let reference = reference::describe(case, overkill.as_ref().map(|(o, _)| o), &task);
-    let record = conclude(study, case, settings, levels, reference);
+    let mut record = conclude(study, case, settings, levels, reference)?;
+    record.verdict = refused::doubted(record.verdict, &refused);
+    record.notes.extend(refused);
     Ok(CaseRun { record, times, reference_times: overkill.map(|(_, t)| t), kept: partial })
 }
 
@@ -208,7 +222,7 @@ fn verify_exact(case: &Case, scene: &Scene) -> Result<(), RunError> {
             Ok(())
         };
     };
-    verify::verify(exact.solution.as_ref(), &exact.materials, &scene.contact)
+    verify::verify_tied(exact.solution.as_ref(), &exact.materials, &scene.contact, &scene.bilateral)
         .map(|_| ())
         .map_err(|e| RunError::Exact(e.to_string()))
 }
@@ -244,23 +258,34 @@ fn conclude(
     settings: &RunSettings,
     mut levels: Vec<Level>,
     mut reference: Reference,
-) -> StudyRecord {
+) -> Result<StudyRecord, RunError> {
     let claim = &study.claim;
-    reference::contaminate(&mut levels, &mut reference);
+    if !case.projects {
+        reference::contaminate(&mut levels, &mut reference);
+    }
     let zone = levels.last_mut().and_then(|level| level.contact.as_mut()?.profile.take());
     verdict::exclude_levels(&mut levels, &case.gates);
-    let rates = rate::all(&levels, &claim.norm);
+    let mut rates = rate::all(&levels, &claim.norm);
+    if let Some(rate) = rates.get_mut(&claim.norm).filter(|_| case.borderline) {
+        rate.log_alternatives = rate::log_alternatives(&levels, &claim.norm, rate);
+    }
+    let corners = corners_of(case, cells_of(case, settings), zone.as_ref())?;
+    let bounds = corners::bounds(case, &corners);
     let verdict = verdict::judge(&JudgeInput {
         kind: claim.kind,
         norm: &claim.norm,
         levels: &levels,
-        bounds: &case.bounds,
+        bounds: &bounds,
         gates: &case.gates,
         expected_is_asymptotic: case.expected_is_asymptotic,
     });
+    let (verdict, extrapolation) = match conforming::is(case, cells_of(case, settings))? {
+        true => (verdict::with_doubts(verdict, verdict::rising_energies(&levels)), conforming::extrapolate(&levels)),
+        false => (verdict, None),
+    };
     let notes = notes(case, &levels);
     let quick = settings.profile == Profile::Quick;
-    StudyRecord {
+    Ok(StudyRecord {
         schema: SCHEMA,
         study: study.id.clone(),
         case: case.name.clone(),
@@ -281,13 +306,16 @@ fn conclude(
         seed: case.seed(),
         levels,
         rates,
-        bounds: case.bounds.clone(),
+        bounds,
         verdict,
         expect: case.expect,
         expected_inconclusive: case.inconclusive_at_quick.clone().filter(|_| quick),
         notes,
         zone,
-    }
+        corners,
+        extrapolation,
+        refusal: None,
+    })
 }
 
 /// The case's own remarks and the warnings of its levels, repeated ones once.

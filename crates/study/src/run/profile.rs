@@ -55,7 +55,8 @@ pub fn compare(contact: &ContactMeasure, errors: &mut Errors) {
 
 /// The constraints in the order of the zone, each once.
 fn nodes(mesh: &Mesh, discrete: &Discrete, sides: &Sides, state: &ContactState) -> Vec<Node> {
-    let kept: BTreeSet<(usize, usize)> = discrete.origins.iter().map(|o| (o.pair, o.constraint)).collect();
+    let tied = discrete.basis.held.iter().map(|h| &h.origin);
+    let kept: BTreeSet<(usize, usize)> = discrete.origins.iter().chain(tied).map(|o| (o.pair, o.constraint)).collect();
     let mut nodes = Vec::with_capacity(kept.len());
     let (mut start, mut last) = (0.0, None);
     for (side, ends) in discrete.zone.side_ends.iter().enumerate() {

@@ -32,14 +32,14 @@ fn of_level(level: &Level, gates: &Gates) -> Vec<String> {
     [unfinished(level), uncertified(level), broken_budget(level, gates), two_way(level)].into_iter().flatten().collect()
 }
 
-fn broken_number(level: &Level) -> Option<String> {
+pub(super) fn broken_number(level: &Level) -> Option<String> {
     match finite::check(level) {
         Err(RecordError::NonFinite { path, value }) => Some(format!("level {}: {path} is {value}", level.level)),
         _ => None,
     }
 }
 
-fn unfinished(level: &Level) -> Option<String> {
+pub(super) fn unfinished(level: &Level) -> Option<String> {
     let solver = &level.solver;
     (!solver.solved).then(|| {
         let steps = solver.iterations;
@@ -84,7 +84,7 @@ fn energy_ratio(level: &Level) -> f64 {
 }
 
 /// Meshes that occur twice, and mesh sizes that do not fall.
-fn unrefined(levels: &[Level]) -> Vec<String> {
+pub(super) fn unrefined(levels: &[Level]) -> Vec<String> {
     let mut found = Vec::new();
     for (k, fine) in levels.iter().enumerate().skip(1) {
         if let Some(same) = levels[..k].iter().find(|l| l.mesh_hash == fine.mesh_hash) {

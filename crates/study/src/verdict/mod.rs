@@ -11,11 +11,13 @@
 //! | `convergence` | the error falls from level to level | [`convergence`] |
 //! | `bounded` | the constant stays bounded | [`bounded`] |
 //! | `agreement` | the finest level agrees with a formula | [`agreement`] |
+//! | `certificate` | every solve ends, certified, as another solver ends it | [`certificate`] |
 //!
 //! Everything is read from the levels themselves. [`exclude_levels`] has marked those that may not enter.
 
 pub mod agreement;
 pub mod bounded;
+pub mod certificate;
 mod chain;
 pub mod convergence;
 pub mod doubt;
@@ -23,11 +25,13 @@ pub mod exact;
 mod exclude;
 pub mod inequality;
 mod ledger;
+mod monotone;
 pub mod rate;
 pub mod splitting;
 mod status;
 
 pub use exclude::exclude_levels;
+pub use monotone::{rising_energies, with_doubts};
 pub use status::{BAD_INPUT, effective, exit_status, worst};
 
 use crate::record::{Bounds, ClaimKind, Level, Outcome, Verdict};
@@ -60,6 +64,10 @@ impl<'a> JudgeInput<'a> {
 
 /// Judges a claim by what was measured.
 pub fn judge(input: &JudgeInput) -> Verdict {
+    if input.kind == ClaimKind::Certificate {
+        // a solve that does not end is no doubt there, but what the claim denies
+        return certificate::judge(input);
+    }
     let doubts = doubt::all(input);
     if !doubts.is_empty() {
         return inconclusive(doubts);
@@ -86,6 +94,7 @@ fn by_kind(input: &JudgeInput) -> Verdict {
         ClaimKind::Convergence => convergence::judge(input),
         ClaimKind::Bounded => bounded::judge(input),
         ClaimKind::Agreement => agreement::judge(input),
+        ClaimKind::Certificate => certificate::judge(input),
     }
 }
 

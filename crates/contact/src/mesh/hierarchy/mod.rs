@@ -92,6 +92,27 @@ impl Hierarchy {
         }
         values
     }
+
+    /// The transpose of [`prolong`](Self::prolong): nodal forces on level `from` as they act on the fields of level `to ≤ from`,
+    /// `f·(P v) = (Pᵀ f)·v`.
+    ///
+    /// # Panics
+    /// If `to > from`, `from` is no level, or `forces` does not have one value per node of level `from`.
+    pub fn restrict(&self, from: usize, to: usize, forces: &[Vec2]) -> Vec<Vec2> {
+        assert!(to <= from, "restriction runs from fine to coarse, not from {from} to {to}");
+        assert_eq!(forces.len(), self.levels[from].points.len(), "one force per node of level {from}");
+        let mut forces = forces.to_vec();
+        for level in (to + 1..=from).rev() {
+            let old = self.levels[level - 1].points.len();
+            for (i, &[a, b]) in self.parents(level).iter().enumerate() {
+                let half = 0.5 * forces[old + i];
+                forces[a as usize] += half;
+                forces[b as usize] += half;
+            }
+            forces.truncate(old);
+        }
+        forces
+    }
 }
 
 /// Appends `½ (v_a + v_b)` for each pair of parents.
@@ -140,6 +161,7 @@ impl<'a> Refiner<'a> {
             contact: (0..mesh.contact.len()).flat_map(|c| self.contact_halves(c)).collect(),
             curved: self.curved_halves(),
             direction: mesh.direction,
+            initial_gap: mesh.initial_gap.clone(),
         };
         (fine, parents)
     }

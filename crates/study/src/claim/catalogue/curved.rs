@@ -67,7 +67,7 @@ pub(super) const ENTRIES: &[Entry] = &[
     },
     Entry {
         id: "remark-3-5",
-        standing: Standing::NotYet,
+        standing: Standing::Landed,
         statement: "‖u_h‖_1 stays bounded with a bilateral part",
         hypotheses: &["bilateral contact on a part of Γ_K that stops all rigid motion"],
         kind: ClaimKind::Bounded,
@@ -78,7 +78,7 @@ pub(super) const ENTRIES: &[Entry] = &[
     },
     Entry {
         id: "remark-3-6",
-        standing: Standing::NotYet,
+        standing: Standing::Landed,
         statement: "‖u_h‖_1 stays bounded with a straight part I of Γ_K",
         hypotheses: &["L coercive on K_1 = {v'_n + v''_n ≤ 0 on I} ⊃ K_h"],
         kind: ClaimKind::Bounded,
@@ -89,7 +89,7 @@ pub(super) const ENTRIES: &[Entry] = &[
     },
     Entry {
         id: "remark-3-7",
-        standing: Standing::NotYet,
+        standing: Standing::Landed,
         statement: "‖û − û_h‖_1 = O(h) for the solutions with p(v) = 0; all others differ by a slide",
         hypotheses: &[
             "Ω'' may slide along a straight Γ_K ∥ Γ_0",

@@ -23,7 +23,7 @@ pub(super) const ENTRIES: &[Entry] = &[
     },
     Entry {
         id: "lemma-3-5",
-        standing: Standing::NotYet,
+        standing: Standing::Landed,
         statement: "every v ∈ K_ε is the limit in H¹ of some v_h ∈ K_εh",
         hypotheses: &["those of Theorem 3.5"],
         kind: ClaimKind::Convergence,
@@ -34,7 +34,7 @@ pub(super) const ENTRIES: &[Entry] = &[
     },
     Entry {
         id: "lemma-3-6",
-        standing: Standing::NotYet,
+        standing: Standing::Landed,
         statement: "if nodal constraints hold and the traces converge almost everywhere, the limit satisfies the constraint",
         hypotheses: &["those of Theorem 3.5"],
         kind: ClaimKind::Convergence,
@@ -45,7 +45,7 @@ pub(super) const ENTRIES: &[Entry] = &[
     },
     Entry {
         id: "theorem-3-5",
-        standing: Standing::NotYet,
+        standing: Standing::Landed,
         statement: "‖u − u_h‖_1 → 0, with no regularity",
         hypotheses: &[
             "f', f'' ∈ C³",

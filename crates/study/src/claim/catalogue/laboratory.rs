@@ -19,6 +19,22 @@ pub(super) const ENTRIES: &[Entry] = &[
         ],
     },
     Entry {
+        id: "certificate",
+        standing: Standing::Landed,
+        statement: "every solve ends, with a clean KKT certificate, and another solver finds the same energy and the same contact",
+        hypotheses: &[
+            "a solution exists",
+            "bounds on residuals grow with the number of unknowns and with the cancellation in the energy",
+        ],
+        kind: ClaimKind::Certificate,
+        norm: "kkt",
+        paper: None,
+        today: None,
+        sources: &[
+            "the discrete problem has exactly one solution wherever f(y) < 0 for every rigid motion y that contact alone stops",
+        ],
+    },
+    Entry {
         id: "many-switches",
         standing: Standing::Landed,
         statement: "b ≤ c h² with c independent of h and of the number N of switch points, while ‖T_n‖_∞ |u_n|_{1,∞} N is fixed",

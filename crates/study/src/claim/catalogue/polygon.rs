@@ -26,7 +26,7 @@ pub(super) const ENTRIES: &[Entry] = &[
     },
     Entry {
         id: "remark-3-1",
-        standing: Standing::NotYet,
+        standing: Standing::Landed,
         statement: "(3.13) holds for any solution u and any discrete solution u_h, unique or not",
         hypotheses: &["those of Theorem 3.1", "a solution exists (then a discrete one does, since K_h ⊂ K)"],
         kind: ClaimKind::Rate,
@@ -63,7 +63,7 @@ pub(super) const ENTRIES: &[Entry] = &[
     },
     Entry {
         id: "remark-3-3",
-        standing: Standing::NotYet,
+        standing: Standing::Landed,
         statement: "‖u − u_h‖_1 = O(h) with bilateral contact on Γ_K0",
         hypotheses: &["those of Theorem 3.1", "the jump of u_n is zero on Γ_K0, which stops all rigid motion"],
         kind: ClaimKind::Rate,
@@ -74,7 +74,7 @@ pub(super) const ENTRIES: &[Entry] = &[
     },
     Entry {
         id: "lemma-3-1",
-        standing: Standing::NotYet,
+        standing: Standing::Landed,
         statement: "every v ∈ K is the limit in H¹ of some v_h ∈ K_h",
         hypotheses: &["those of Theorem 3.2"],
         kind: ClaimKind::Convergence,
@@ -85,7 +85,7 @@ pub(super) const ENTRIES: &[Entry] = &[
     },
     Entry {
         id: "theorem-3-2",
-        standing: Standing::NotYet,
+        standing: Standing::Landed,
         statement: "‖u − u_h‖_1 → 0, with no regularity",
         hypotheses: &[
             "polygonal bodies, regular family",

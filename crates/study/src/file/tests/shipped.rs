@@ -1,5 +1,6 @@
 //! The shipped studies parse, resolve and say what the theory says.
 
+use crate::claim::catalogue::{Standing, catalogue};
 use crate::exact::sobolev_order;
 use crate::family::{Family, build_level};
 use crate::file::library::{EVERYTHING, shipped};
@@ -34,6 +35,20 @@ fn every_file_on_disk_is_embedded_word_for_word_and_resolves() {
         let prints = |s: &Study| s.cases.iter().map(Case::fingerprint).collect::<Vec<_>>();
         assert_eq!((prints(&a), a.question.clone()), (prints(&b), b.question.clone()));
         assert!([&a.question, &a.setup, &a.refuted_by].iter().all(|t| t.len() > 20), "{}", a.id);
+    }
+}
+
+/// Controls judge no claim: they are built to be refused.
+#[test]
+fn every_claim_that_can_be_judged_has_a_shipped_study() {
+    let judged: BTreeSet<String> = shipped()
+        .sources
+        .iter()
+        .filter(|s| s.group != Group::Controls)
+        .map(|s| s.load().unwrap_or_else(|e| panic!("{e}")).claim.id)
+        .collect();
+    for entry in catalogue() {
+        assert_eq!(judged.contains(entry.id), entry.standing == Standing::Landed, "{}: {:?}", entry.id, entry.standing);
     }
 }
 

@@ -27,6 +27,13 @@ impl ContactLoad {
         load
     }
 
+    /// Adds `∫ T [φ_k]_n dμ`, both components, to nodal loads.
+    pub fn add_to(&self, load: &mut [Vec2]) {
+        for (sign, (nodes, weights)) in [1.0, -1.0].into_iter().zip(self.nodes.iter().zip(&self.weights)) {
+            nodes.iter().zip(weights).for_each(|(&i, w)| load[i as usize] += sign * w);
+        }
+    }
+
     /// `∫ T (n·(v' − v'') − ε) dμ`.
     pub fn work(&self, v: &[Vec2]) -> f64 {
         let of = |b: usize| (0..3).map(|k| self.weights[b][k].dot(&v[self.nodes[b][k] as usize])).sum::<f64>();

@@ -7,7 +7,7 @@ use signorini_contact::element::{CurvedTriangle, displacement_gradient, gradient
 use signorini_contact::material::{Material, contract, strain};
 use signorini_contact::mesh::Mesh;
 use signorini_contact::norm::Squares;
-use signorini_contact::quadrature::{Cubature, Patch, conical_points, quarter, seven_points};
+use signorini_contact::quadrature::{Cubature, Patch, conical_points, quarter, seven_points, sixteen_points};
 use signorini_contact::{Body, Vec2};
 use std::ops::AddAssign;
 
@@ -56,33 +56,39 @@ impl<'a> ElementIntegrand<'a> {
         Self { exact, body, material, given_force, corners, curved, nodal, linear }
     }
 
-    /// The rule on every piece, without splitting.
-    pub fn once(&self, cubature: &Cubature) -> Element {
-        let mut sums = Element::default();
-        cubature.pieces(self.corners, &mut |piece| sums += self.over(piece, Rule::Ordinary));
-        sums
+    /// `A(w,w)` on the element by one rule, without splitting: what shares of the accuracy are measured in.
+    pub fn rough_energy(&self, cubature: &Cubature) -> f64 {
+        let mut energy = 0.0;
+        cubature.pieces(self.corners, &mut |piece| {
+            seven_points(piece, &mut |x, weight| {
+                let gradient = self.exact.solution.jet(self.body, x).gradient;
+                let e = strain(std::array::from_fn(|i| std::array::from_fn(|j| gradient[i][j] - self.linear[i][j])));
+                energy += weight * contract(self.material.stress(e), e);
+            });
+        });
+        energy
     }
 
-    /// By a rule on pieces and on their quarters. Where the two differ too much, a rule of higher degree takes over, and
+    /// By a rule on pieces and a finer one. Where the two differ too much, a rule of still higher degree takes over, and
     /// pieces are split until it settles. `share` of the interpolation error is allowed to each piece, and a quarter of it
     /// to each of its quarters.
     pub fn adaptively(&self, cubature: &Cubature, share: f64, deepest: u32) -> [Element; 2] {
         let mut pair = [Element::default(); 2];
         cubature.pieces(self.corners, &mut |piece| {
             let coarse = self.over(piece, Rule::Ordinary);
-            let fine = self.over_quarters(piece, Rule::Ordinary);
-            if deepest > 0 && self.is_rough(&coarse, &sum(&fine), share) {
+            let fine = self.over(piece, Rule::Fine);
+            if deepest > 0 && self.is_rough(&coarse, &fine, share) {
                 self.split(piece, &self.over(piece, Rule::Rich), share, deepest, &mut pair);
             } else {
                 pair[0] += coarse;
-                pair[1] += sum(&fine);
+                pair[1] += fine;
             }
         });
         pair
     }
 
     fn split(&self, piece: [Vec2; 3], coarse: &Element, share: f64, deepest: u32, pair: &mut [Element; 2]) {
-        let parts = self.over_quarters(piece, Rule::Rich);
+        let parts = quarter(piece).map(|q| self.over(q, Rule::Rich));
         let fine = sum(&parts);
         if deepest > 0 && self.is_rough(coarse, &fine, share) {
             for (quarter, part) in quarter(piece).into_iter().zip(&parts) {
@@ -145,14 +151,11 @@ impl<'a> ElementIntegrand<'a> {
         change > ACCURACY * whole || load / self.material.matrix()[0][0] > LOAD_ACCURACY * LOAD_ACCURACY * whole
     }
 
-    fn over_quarters(&self, piece: [Vec2; 3], rule: Rule) -> [Element; 4] {
-        quarter(piece).map(|q| self.over(q, rule))
-    }
-
     fn over(&self, piece: [Vec2; 3], rule: Rule) -> Element {
         let mut sums = Element::default();
         match rule {
             Rule::Ordinary => seven_points(piece, &mut |x, w| self.add_point(x, w, &mut sums)),
+            Rule::Fine => sixteen_points(piece, &mut |x, w| self.add_point(x, w, &mut sums)),
             Rule::Rich => conical_points(piece, &mut |x, w| self.add_point(x, w, &mut sums)),
         }
         sums
@@ -182,10 +185,11 @@ impl<'a> ElementIntegrand<'a> {
     }
 }
 
-/// Degree 5 where the integrand is smooth on the piece's scale, degree 10 where it is not.
+/// Degrees 5 and 8 where the integrand is smooth on the piece's scale, degree 10 where it is not.
 #[derive(Clone, Copy)]
 enum Rule {
     Ordinary,
+    Fine,
     Rich,
 }
 

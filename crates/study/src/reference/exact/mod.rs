@@ -58,7 +58,7 @@ pub struct Integrals {
     curved: BTreeMap<u32, CurvedPart>,
 }
 
-/// The same integrals by two quadratures, the second one refinement finer on every element.
+/// The same integrals by two quadratures, the second of higher degree or one refinement finer on every element.
 pub struct Pair {
     /// The coarser one: what the quadrature error is measured against.
     pub base: Integrals,
@@ -83,7 +83,7 @@ impl Pair {
         let cubature = Cubature { grading: ADAPTIVE_GRADING, ..scene.cubature(0, fixed) };
         let element = |t: usize| ElementIntegrand::new(scene, exact, mesh, interpolant, t);
         let rough = |t: usize| {
-            if mesh.curved.of(t).is_some() { 0.0 } else { element(t).once(&cubature).interpolation.energy }
+            if mesh.curved.of(t).is_some() { 0.0 } else { element(t).rough_energy(&cubature) }
         };
         let total = ordered_sum(mesh.triangles.len(), rough);
         let share = total * f64::min(SMALLEST_SHARE, 1.0 / mesh.triangles.len() as f64);
@@ -213,6 +213,14 @@ impl Integrals {
     /// `∫_{Γ_K} T_n [v]_n ds`, or across a gap `∫ T_ξ (v''_ξ − v'_ξ − ε) dη`, for a nodal field.
     pub fn contact_work(&self, v: &[Vec2]) -> f64 {
         self.contact.iter().map(|side| side.work(v)).sum()
+    }
+
+    /// `A(u, φ_i) = f(φ_i) + ∫_{Γ_K} T_n [φ_i]_n ds`, or across a gap `∫ T_ξ (φ''_iξ − φ'_iξ) dη`, for the nodes that `Γ_u` leaves
+    /// free: the load whose solution is the projection of `u`.
+    pub fn projection_load(&self) -> Vec<Vec2> {
+        let mut load = self.load.clone();
+        self.contact.iter().for_each(|side| side.add_to(&mut load));
+        load
     }
 
     /// `∫_{Γ_u} τ(u)n·(v − u) ds`.

@@ -35,13 +35,15 @@ impl Task<'_> {
         let by_energies = 2.0 * gap - 2.0 * reference.contact_work(&v);
         level.two_way = relative_difference(error.energy, by_energies, reference.solution.strain_energy);
         let b = reference.contact_work(&u_i);
+        // nested constraint sets leave nothing between the nodes but rounding
+        let c = self.scene.initial_gap.as_ref().map_or(0.0, |_| reference.penetration_work(&v));
         let work = |load: &[Vec2], u: &[Vec2]| load.iter().zip(u).map(|(f, u)| f.dot(u)).sum::<f64>();
         let load_gap = (work(&discrete.load, &solution.displacement) - work(&reference.discrete.load, &v)).abs();
         let load_change = dual_norm(discrete, &differences(&discrete.load, coarse_load));
         let delta = load_gap + 1e-14 * reference.solution.strain_energy;
         level.ledger = Some(ledger(
             0.5 * error.energy,
-            [0.5 * interpolation.energy, b, 0.0],
+            [0.5 * interpolation.energy, b, c],
             delta,
             reference.solution.strain_energy,
         ));

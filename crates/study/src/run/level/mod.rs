@@ -3,11 +3,15 @@
 mod against_exact;
 mod against_located;
 mod against_overkill;
+mod bilateral;
 mod defects;
+mod discretise;
 mod inside;
 #[cfg(test)]
 mod located_tests;
 mod parts;
+mod projection;
+mod second;
 mod splitting;
 #[cfg(test)]
 mod tests;
@@ -22,7 +26,6 @@ use crate::reference::exact::Pair;
 use crate::reference::overkill::Overkill;
 use crate::study::{Case, ExactScene, Scene};
 use against_exact::ExactMeasurement;
-use defects::with_normals;
 use inside::is_inside;
 use signorini_contact::mesh::Mesh;
 use signorini_contact::problem::{Discrete, Problem, Solution, Support};
@@ -74,8 +77,8 @@ impl Task<'_> {
         let cubature = self.scene.cubature(1, fixed);
         let supports = self.scene.supports();
         let problem = self.problem(mesh, &supports, &cubature);
-        let zone = with_normals((self.constrain)(mesh), mesh, &self.scene.discretisation);
-        let discrete = problem.discretise_zone(fine.load.clone(), zone)?;
+        let load = if self.case.projects { fine.projection_load() } else { fine.load.clone() };
+        let discrete = self.scene.discretise(&problem, load, (self.constrain)(mesh))?;
         watch.lap(|t| &mut t.assembly);
         let solved = self.solve(&problem, discrete, &mut watch);
         let measured = ExactMeasurement {
@@ -93,6 +96,9 @@ impl Task<'_> {
         let squares = measured.fill(&mut level, &contact);
         if let Some(splitting) = self.splitting(&meshed, &solved, &level) {
             level.splitting = splitting.against_exact(&pair, &interpolant, squares)?;
+        }
+        if self.case.projects {
+            projection::of_exact(&mut level, fine.solution.energy);
         }
         watch.lap(|t| &mut t.error);
         Ok((level, watch.finish()))
@@ -115,7 +121,14 @@ impl Task<'_> {
         let fine = cubature.finer();
         let problem = self.problem(mesh, &supports, &fine);
         let coarse_load = assembly::loads(mesh, &supports, self.scene, &cubature)?;
-        let discrete = problem.discretise()?;
+        let projected = at.filter(|_| self.case.projects);
+        let discrete = match projected {
+            Some(at) => {
+                let load = reference.projection_load(&self.scene.materials, at);
+                self.scene.discretise(&problem, load, Zone::new(mesh))?
+            }
+            None => self.discretise(&problem)?,
+        };
         watch.lap(|t| &mut t.assembly);
         let solved = self.solve(&problem, discrete, &mut watch);
         let mut level = self.level(index, &meshed, &solved);
@@ -127,6 +140,9 @@ impl Task<'_> {
                 }
             }
             None => self.fill_from_located(&mut level, reference, mesh, &solved, &coarse_load),
+        }
+        if projected.is_some() {
+            projection::of_discrete(&mut level, reference.solution.strain_energy);
         }
         watch.lap(|t| &mut t.error);
         Ok((level, watch.finish()))
@@ -141,7 +157,7 @@ impl Task<'_> {
         let supports = self.scene.supports();
         let cubature = self.scene.cubature(1, self.case.fixed_quadrature);
         let problem = self.problem(mesh, &supports, &cubature);
-        let discrete = problem.discretise()?;
+        let discrete = self.discretise(&problem)?;
         watch.lap(|t| &mut t.assembly);
         let solved = self.solve(&problem, discrete, &mut watch);
         let level = self.level(index, &meshed, &solved);
@@ -157,7 +173,7 @@ impl Task<'_> {
         let supports = scene.supports();
         let cubature = scene.cubature(0, self.case.fixed_quadrature);
         let problem = self.problem(hierarchy.finest(), &supports, &cubature);
-        let discrete = problem.discretise()?;
+        let discrete = self.discretise(&problem)?;
         watch.lap(|t| &mut t.assembly);
         let solved = self.solve(&problem, discrete, &mut watch);
         if !solved.solution.raw.status.is_solved() {
@@ -173,6 +189,12 @@ impl Task<'_> {
     fn problem<'b>(&'b self, mesh: &'b Mesh, supports: &'b [Support], cubature: &'b Cubature) -> Problem<'b> {
         let scene = self.scene;
         Problem { mesh, materials: scene.materials, supports, data: scene, cubature }
+    }
+
+    /// The problem with its loads and constraints, as the scene ties and fixes them.
+    fn discretise(&self, problem: &Problem) -> Result<Discrete, RunError> {
+        let load = assembly::loads(problem.mesh, problem.supports, problem.data, problem.cubature)?;
+        Ok(self.scene.discretise(problem, load, Zone::new(problem.mesh))?)
     }
 
     fn solve(&self, problem: &Problem, discrete: Discrete, watch: &mut Stopwatch) -> Solved {
@@ -206,6 +228,9 @@ impl Task<'_> {
     fn level(&self, index: usize, meshed: &MeshLevel, solved: &Solved) -> Level {
         let Solved { discrete, solution, state } = solved;
         let finest = meshed.hierarchy.finest();
+        let second = self.second_opinion(finest, solved);
+        let mut kkt = certificate(discrete, solution);
+        kkt.componentwise = kkt.componentwise.filter(|_| second.is_some());
         let with_profile = index + 1 == self.cells.len();
         let contact = profile::measure(self.scene, finest, discrete, solution, state, with_profile);
         let mut errors = Errors { penetration_l2: Some(state.penetration()), ..Default::default() };
@@ -233,12 +258,13 @@ impl Task<'_> {
             ledger: None,
             splitting: Vec::new(),
             inside: Some(is_inside(self.scene, finest)),
-            kkt: certificate(discrete, solution),
+            kkt,
             budget: Budget::default(),
             solver: self.solver_record(solution),
             warnings: discrete.warnings.clone(),
             excluded: None,
             contact: Some(contact),
+            second,
         }
     }
 }
@@ -252,10 +278,12 @@ pub(super) fn certificate(discrete: &Discrete, solution: &Solution) -> Kkt {
     let c = qp::certify(&discrete.qp, &solution.raw.x, &solution.raw.multipliers, &scales);
     Kkt {
         stationarity: c.stationarity,
+        componentwise: Some(c.componentwise),
         penetration: c.penetration,
         tension: c.tension,
         complementarity: c.complementarity,
         weakly_active: c.weakly_active,
+        bilateral: bilateral::measure(discrete, solution, scales.displacement),
     }
 }
 

@@ -10,6 +10,7 @@ mod doubt;
 mod kinds;
 mod rate;
 mod splitting;
+mod synthetic;
 
 const GATE_1: Bounds = Bounds { paper: Some(1.0), today: Some(1.0), expected: Some(1.0) };
 

@@ -1,0 +1,109 @@
+//! The second opinion: another solver on the same discrete problem.
+
+use super::{Solved, Task, largest_component};
+use crate::record::SecondOpinion;
+use crate::study::Scene;
+use signorini_contact::mesh::Mesh;
+use signorini_contact::problem::{Data, Discrete, Solution, Support};
+use signorini_contact::solver::{self, Settings};
+use signorini_contact::sparse::BlockMatrix;
+
+/// A force below this share of the largest does not press, an opening below this share of the displacement is none.
+const CLEAR: f64 = 1e-8;
+
+impl Task<'_> {
+    /// Asks the case's second solver, if it names one. The tolerances are those of a finished solve, whatever the first
+    /// solver's were.
+    pub(super) fn second_opinion(&self, mesh: &Mesh, solved: &Solved) -> Option<SecondOpinion> {
+        let method = self.case.second?;
+        let settings = Settings { method, max_steps: self.settings.max_steps, ..Settings::default() };
+        Some(ask(&settings, self.scene, mesh, solved))
+    }
+}
+
+fn ask(settings: &Settings, scene: &Scene, mesh: &Mesh, solved: &Solved) -> SecondOpinion {
+    let (discrete, first) = (&solved.discrete, &solved.solution);
+    let raw = solver::solve(&discrete.qp, settings);
+    let (status, is_solved, iterations) = (raw.status.to_string(), raw.status.is_solved(), raw.iterations);
+    let second = discrete.recover(mesh, &scene.materials, raw);
+    let size = largest_component(&first.displacement);
+    let apart: Vec<_> = first.displacement.iter().zip(&second.displacement).map(|(a, b)| a - b).collect();
+    SecondOpinion {
+        name: settings.method.name().into(),
+        status,
+        solved: is_solved,
+        iterations,
+        energy_difference: relative((first.energy - second.energy).abs(), 0.5 * first.strain_energy),
+        displacement_difference: relative(largest_component(&apart), size),
+        active_difference: differently_active(discrete, [first, &second]),
+        cancellation: relative(absolute_energy(&discrete.qp.matrix, &first.raw.x), first.strain_energy),
+        energy_falls: energy_falls(scene, mesh),
+    }
+}
+
+/// 0 where both vanish, 1 where only the scale does.
+fn relative(difference: f64, scale: f64) -> f64 {
+    match scale > 0.0 {
+        true => difference / scale,
+        false => f64::from(u8::from(difference > 0.0)),
+    }
+}
+
+/// Constraints that press in one answer and are open in the other, both clearly.
+fn differently_active(discrete: &Discrete, answers: [&Solution; 2]) -> usize {
+    let state = answers.map(|s| {
+        let force = CLEAR * s.raw.multipliers.iter().fold(0.0, |m: f64, l| m.max(l.abs()));
+        let opening = CLEAR * largest_component(&s.displacement);
+        let at = |k: usize| {
+            let bound = &discrete.qp.bounds[k];
+            (s.raw.multipliers[k] > force, bound.upper - s.raw.x[bound.dof as usize] > opening)
+        };
+        (0..discrete.qp.bounds.len()).map(at).collect::<Vec<(bool, bool)>>()
+    });
+    let [first, second] = &state;
+    first.iter().zip(second).filter(|(a, b)| (a.0 && b.1) || (b.0 && a.1)).count()
+}
+
+/// `Σ |x_i||K_ij||x_j|`.
+fn absolute_energy(matrix: &BlockMatrix, x: &[f64]) -> f64 {
+    let row = |i: usize| -> f64 {
+        let sums = matrix.row(i).fold([0.0, 0.0], |s, (j, b)| {
+            let (u, v) = (x[2 * j].abs(), x[2 * j + 1].abs());
+            [s[0] + b[0].abs() * u + b[1].abs() * v, s[1] + b[2].abs() * u + b[3].abs() * v]
+        });
+        x[2 * i].abs() * sums[0] + x[2 * i + 1].abs() * sums[1]
+    };
+    (0..matrix.rows()).map(row).sum()
+}
+
+/// Whether every admissible function of this mesh is admissible on its refinements: supports and constraints between the
+/// nodes follow from those at the nodes.
+fn energy_falls(scene: &Scene, mesh: &Mesh) -> bool {
+    mesh.curved.sides.is_empty() && gaps_bulge_outwards(mesh) && data_are_linear(scene, mesh)
+}
+
+/// Shares of a side that a refinement puts nodes at.
+const INNER: [f64; 3] = [0.25, 0.5, 0.75];
+
+/// `g ≥ I_h g` on every side of the zone.
+fn gaps_bulge_outwards(mesh: &Mesh) -> bool {
+    (0..mesh.contact.len()).all(|side| {
+        let view = mesh.contact_view(side);
+        let [a, b] = [0.0, 1.0].map(|t| view.at(t).gap);
+        let rounding = 1e-12 * (a.abs() + b.abs());
+        INNER.iter().all(|&t| view.at(t).gap >= (1.0 - t) * a + t * b - rounding)
+    })
+}
+
+/// `u_D = I_h u_D` on every side of `Γ_u`.
+fn data_are_linear(scene: &Scene, mesh: &Mesh) -> bool {
+    let supports = scene.supports();
+    let fixed = mesh.sides.iter().filter(|s| supports[usize::from(s.part)] == Support::Fixed);
+    fixed.into_iter().all(|side| {
+        let at = |x| scene.displacement(usize::from(side.part), x);
+        let [p, q] = side.nodes.map(|i| mesh.points[i as usize]);
+        let (a, b) = (at(p), at(q));
+        let rounding = 1e-12 * (a.norm() + b.norm());
+        INNER.iter().all(|&t| (at((1.0 - t) * p + t * q) - ((1.0 - t) * a + t * b)).norm() <= rounding)
+    })
+}
