@@ -88,7 +88,6 @@ fn the_cases_are_those_of_the_plan() {
 #[test]
 fn expected_rates_follow_from_the_regularity() {
     let solution = |id: &str, case: &str| match (id, case) {
-        ("bent-regularity", "line") => Some("R"),
         ("bent-regularity", "arc") => Some("arcR"),
         ("bent-regularity", _) => Some("graphR"),
         ("bent-strong-regularity", _) => Some("arcP"),
@@ -111,7 +110,7 @@ fn expected_rates_follow_from_the_regularity() {
             seen += 1;
         }
     }
-    assert_eq!(seen, 56);
+    assert_eq!(seen, 54);
 }
 
 /// On a boundary the trace of `H^{1+α−δ}` is approximated like `h^{min(2, α + 1/2)}`; smooth functions like `h²`.
