@@ -21,7 +21,7 @@ pub struct Cli {
 }
 
 /// The names of the commands, for who mistypes one.
-pub const COMMANDS: [&str; 5] = ["run", "list", "check", "bless", "report"];
+pub const COMMANDS: [&str; 7] = ["run", "list", "check", "bless", "report", "falsify", "coverage"];
 
 /// The commands.
 #[derive(Subcommand, Debug)]
@@ -34,6 +34,10 @@ pub enum Command {
     Check(CheckArgs),
     /// Run studies and store their energies, errors and rates as baselines in reference/.
     Bless(RunArgs),
+    /// Search for counterexamples: scenes drawn at random within the hypotheses of a claim, the worst kept as a study.
+    Falsify(FalsifyArgs),
+    /// Measure how often the 95 % interval holds the true slope, on made-up errors.
+    Coverage(CoverageArgs),
     /// Render tables and plots again from the records in a folder.
     Report {
         /// The folder with the records.
@@ -98,4 +102,39 @@ pub enum SolverArg {
     Condensed,
     /// Clarabel with crossover.
     InteriorPoint,
+}
+
+/// Arguments of `falsify`.
+#[derive(Args, Debug, Clone)]
+pub struct FalsifyArgs {
+    /// A claim (theorem-3-1, remark-3-2a, remark-3-2b, theorem-3-3, theorem-3-4, lemma-2-1, many-switches), `falk` for the
+    /// inequality of the ledger, `all` for every one of them, or `bent-theorem-3-1`, which must be found out.
+    #[arg(value_name = "CLAIM")]
+    pub claim: String,
+    /// Scenes to draw for each claim.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    pub budget: u32,
+    /// Seed of the draws.
+    #[arg(long, value_name = "S", default_value_t = 1)]
+    pub seed: u64,
+    /// Results go to the folder `falsify` in it.
+    #[arg(long, value_name = "DIR", default_value = "reports")]
+    pub out: PathBuf,
+    /// Threads; all processors by default. Results do not depend on it.
+    #[arg(long, value_name = "T", value_parser = clap::value_parser!(u16).range(1..))]
+    pub threads: Option<u16>,
+    /// Print nothing but errors and the tables.
+    #[arg(long)]
+    pub quiet: bool,
+}
+
+/// Arguments of `coverage`.
+#[derive(Args, Debug, Clone)]
+pub struct CoverageArgs {
+    /// Series to draw for each row of the table.
+    #[arg(long, value_name = "N", default_value_t = 10_000, value_parser = clap::value_parser!(u32).range(1..))]
+    pub draws: u32,
+    /// Seed of the draws.
+    #[arg(long, value_name = "S", default_value_t = 1)]
+    pub seed: u64,
 }

@@ -6,7 +6,9 @@ mod say;
 mod args;
 mod bless;
 mod check;
+mod coverage;
 mod failure;
+mod falsify;
 mod list;
 mod progress;
 mod report;
@@ -26,6 +28,8 @@ fn main() -> ExitCode {
         Command::List => list::list(),
         Command::Check(args) => check::check(&args),
         Command::Bless(args) => bless::bless(&args),
+        Command::Falsify(args) => falsify::falsify(&args),
+        Command::Coverage(args) => coverage::coverage(&args),
         Command::Report { dir } => report::report(&dir),
     };
     match result {

@@ -55,3 +55,26 @@ impl Watch for Progress {
         }
     }
 }
+
+/// Tells on standard error how many draws are done, where it is a terminal.
+pub struct Draws(Option<ProgressBar>);
+
+impl Draws {
+    /// A bar over so many draws; nothing with `quiet`.
+    pub fn new(draws: usize, quiet: bool) -> Self {
+        let style = ProgressStyle::with_template("{bar:40} {pos}/{len} draws  {elapsed} elapsed, {eta} left");
+        let style = style.unwrap_or_else(|_| ProgressStyle::default_bar());
+        let shown = std::io::stderr().is_terminal() && !quiet;
+        Self(shown.then(|| ProgressBar::new(draws as u64).with_style(style)))
+    }
+
+    /// One more.
+    pub fn done(&self) {
+        self.0.iter().for_each(|bar| bar.inc(1));
+    }
+
+    /// The bar goes.
+    pub fn finish(&self) {
+        self.0.iter().for_each(ProgressBar::finish_and_clear);
+    }
+}

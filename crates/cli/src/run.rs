@@ -49,11 +49,7 @@ pub fn load(names: &[String]) -> Result<Vec<Study>, Failure> {
 /// Runs the studies side by side and writes each study's files as soon as it is done. Returns the runs in the order of
 /// the studies, and what drifted from the baselines.
 pub fn execute(args: &RunArgs, studies: &[Study]) -> Result<(Vec<Vec<CaseRun>>, Vec<String>), Failure> {
-    if let Some(threads) = args.threads {
-        // Only the first pool of a process can be set; this is the first.
-        let built = rayon::ThreadPoolBuilder::new().num_threads(usize::from(threads)).build_global();
-        built.map_err(|e| Failure::new(format!("no pool of {threads} threads: {e}"), "leave --threads out"))?;
-    }
+    use_threads(args.threads)?;
     let settings = settings(args);
     let progress = Progress::new(studies.iter().map(|s| run::work(s, &settings)).sum(), args.quiet);
     let results = run::each_case(studies, &settings, |study, case| {
@@ -73,6 +69,14 @@ pub fn execute(args: &RunArgs, studies: &[Study]) -> Result<(Vec<Vec<CaseRun>>, 
         drifted.extend(drift.into_iter().flatten());
     }
     Ok((all, drifted))
+}
+
+/// Sets the number of threads, if one is asked for.
+pub fn use_threads(threads: Option<u16>) -> Result<(), Failure> {
+    let Some(threads) = threads else { return Ok(()) };
+    // Only the first pool of a process can be set; this is the first.
+    let built = rayon::ThreadPoolBuilder::new().num_threads(usize::from(threads)).build_global();
+    built.map_err(|e| Failure::new(format!("no pool of {threads} threads: {e}"), "leave --threads out"))
 }
 
 fn settings(args: &RunArgs) -> RunSettings {

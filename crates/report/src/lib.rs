@@ -21,9 +21,12 @@
 //! of a case) · [`markdown`] (its page) · [`plot`] (its pictures) · [`verdict`], [`summary`] (all
 //! cases together), [`statements`] (the paper, statement by statement).
 
+mod borderline;
 pub mod corner;
+mod coverage;
 pub mod error;
 pub mod extrapolation;
+mod falsify;
 pub mod format;
 pub mod formula;
 pub mod hard;
@@ -39,7 +42,9 @@ pub mod summary;
 pub mod table;
 pub mod verdict;
 
+pub use coverage::coverage_markdown;
 pub use error::ReportError;
+pub use falsify::{falsify_markdown, falsify_text};
 pub use statements::statements_markdown;
 pub use summary::{summary_markdown, summary_text};
 

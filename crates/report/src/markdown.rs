@@ -1,6 +1,8 @@
 //! The page of one case: question, claim, set-up, verdict, tables and pictures, in the order a reader asks.
 
+use crate::borderline;
 use crate::corner;
+use crate::coverage;
 use crate::extrapolation;
 use crate::format;
 use crate::formula;
@@ -190,13 +192,15 @@ fn bounds_table(record: &StudyRecord, observed: Option<&Rate>) -> Table {
 fn fit_words(rate: &Rate) -> String {
     format!(
         "Fitted over {}: standard error {}, R² {:.6}, change of the pairwise rate per level {}; \
-         against dofs^(−1/2) the slope is {}.{}\n",
+         against dofs^(−1/2) the slope is {}.{} {}\n{}",
         format::level_words(&rate.levels),
         format::significant(rate.stderr, 2),
         rate.r2,
         format::rate(rate.curvature),
         format::rate(rate.dofs_slope),
         norm::Trust::of(rate).remark().map_or(String::new(), |why| format!(" No firm rate: {why}.")),
+        coverage::sentence(),
+        borderline::words(rate),
     )
 }
 

@@ -33,6 +33,7 @@ mod tests;
 use crate::Error;
 use crate::material::Material;
 use nalgebra::Complex;
+use pencil::Pencil;
 use std::f64::consts::TAU;
 
 /// The condition on a face of a wedge.
@@ -83,26 +84,81 @@ impl Wedge {
     }
 }
 
+/// A solution `r^λ U(θ)` of the local problem.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mode {
+    /// `λ`.
+    pub exponent: Complex<f64>,
+    /// The contact pressure `−σ_θθ/r^{λ−1}` on each closed ray, up to one common factor of either sign; `None` where `λ` is complex
+    /// or belongs to several modes, which then combine.
+    pub pressures: Option<Vec<f64>>,
+}
+
+/// A pressure below this share of the largest on any ray is none.
+const NO_PRESSURE: f64 = 1e-6;
+
+impl Mode {
+    /// Whether the mode can govern a solution whose rays stay closed: a pressure that oscillates or pulls on one ray while it
+    /// presses on another would have to open it. The leading coefficient of such a mode is zero.
+    pub fn may_press(&self, contacts: usize) -> bool {
+        if contacts > 0 && self.exponent.im != 0.0 {
+            return false;
+        }
+        let Some(pressures) = &self.pressures else { return true };
+        let largest = pressures.iter().fold(0.0, |m: f64, p| m.max(p.abs()));
+        let has = |sign: f64| pressures.iter().any(|p| sign * p > NO_PRESSURE * largest);
+        !(has(1.0) && has(-1.0))
+    }
+}
+
+/// What a corner lets expect.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Singularity {
+    /// The exponent with the smallest real part below 1 whose mode can press on all closed rays; none if the corner has no
+    /// singularity.
+    pub exponent: Option<Complex<f64>>,
+    /// The smallest one that was passed over because its mode would pull on a closed ray.
+    pub pulling: Option<Complex<f64>>,
+}
+
 /// All exponents with [`SMALLEST`] `< Re λ < 2` and `Im λ ≥ 0` of one wedge, or of two in contact, by ascending real part.
 /// Rotations (`λ = 1`) are among them.
 ///
 /// # Errors
 /// [`Error::Mesh`] for a wedge without an angle or beyond a full turn, and for contact faces that do not meet.
 pub fn exponents(wedges: &[Wedge]) -> Result<Vec<Complex<f64>>, Error> {
-    wedges.iter().try_for_each(check_angle)?;
-    let contacts = contacts(wedges)?;
-    let mut found: Vec<Complex<f64>> = pencil::Pencil::new(wedges, &contacts).eigenvalues();
-    found.retain(|l| l.re > SMALLEST && l.re < 2.0 && l.im >= 0.0);
-    found.sort_by(|a, b| a.re.total_cmp(&b.re).then(a.im.total_cmp(&b.im)));
-    Ok(found)
+    Ok(in_order(&pencil(wedges)?.0))
 }
 
-/// The exponent with the smallest real part below 1; none if the corner has no singularity.
+/// The governing exponent below 1.
 ///
 /// # Errors
 /// As [`exponents`].
-pub fn singular_exponent(wedges: &[Wedge]) -> Result<Option<Complex<f64>>, Error> {
-    Ok(exponents(wedges)?.into_iter().find(|l| l.re < 1.0 - CLOSE_TO_ONE))
+pub fn singularity(wedges: &[Wedge]) -> Result<Singularity, Error> {
+    let (pencil, contacts) = pencil(wedges)?;
+    let mut found = Singularity::default();
+    for exponent in in_order(&pencil).into_iter().filter(|l| l.re < 1.0 - CLOSE_TO_ONE) {
+        let mode = Mode { exponent, pressures: pencil.pressures(exponent, wedges, &contacts) };
+        if mode.may_press(contacts.len()) {
+            found.exponent = Some(exponent);
+            break;
+        }
+        found.pulling.get_or_insert(exponent);
+    }
+    Ok(found)
+}
+
+fn pencil(wedges: &[Wedge]) -> Result<(Pencil, Vec<[FaceOf; 2]>), Error> {
+    wedges.iter().try_for_each(check_angle)?;
+    let contacts = contacts(wedges)?;
+    Ok((Pencil::new(wedges, &contacts), contacts))
+}
+
+fn in_order(pencil: &Pencil) -> Vec<Complex<f64>> {
+    let mut found = pencil.eigenvalues();
+    found.retain(|l| l.re > SMALLEST && l.re < 2.0 && l.im >= 0.0);
+    found.sort_by(|a, b| a.re.total_cmp(&b.re).then(a.im.total_cmp(&b.im)));
+    found
 }
 
 /// A face of a wedge: the wedge's number, and 0 for `from`, 1 for `to`.

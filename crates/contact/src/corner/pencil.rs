@@ -24,13 +24,14 @@ pub(super) struct Pencil {
     m0: DMatrix<f64>,
     g: DMatrix<f64>,
     m2: DMatrix<f64>,
+    unknowns: Vec<Unknowns>,
 }
 
 impl Pencil {
     pub(super) fn new(wedges: &[Wedge], contacts: &[[FaceOf; 2]]) -> Self {
         let (unknowns, size) = number(wedges, contacts);
         let zero = || DMatrix::zeros(size, size);
-        let mut pencil = Self { m0: zero(), g: zero(), m2: zero() };
+        let mut pencil = Self { m0: zero(), g: zero(), m2: zero(), unknowns: Vec::new() };
         for (wedge, unknowns) in wedges.iter().zip(&unknowns) {
             let (count, width) = elements(wedge);
             for element in 0..count {
@@ -38,7 +39,7 @@ impl Pencil {
                 pencil.add(&wedge.material, wedge.from + element as f64 * width, width, nodes);
             }
         }
-        pencil
+        Self { unknowns, ..pencil }
     }
 
     /// Adds the element of width `width` that starts at the angle `start`.
@@ -69,10 +70,10 @@ impl Pencil {
     }
 
     /// All `λ`: the eigenvalues of the companion matrix of `λ² U = M_2⁻¹ (M_0 + λ G) U`.
-    pub(super) fn eigenvalues(self) -> Vec<Complex<f64>> {
+    pub(super) fn eigenvalues(&self) -> Vec<Complex<f64>> {
         let n = self.m0.nrows();
         // M_2 is positive definite with C: its strains are e_rr = U_r and 2e_rθ = U_θ
-        let Some(factor) = self.m2.cholesky() else { return Vec::new() };
+        let Some(factor) = self.m2.clone().cholesky() else { return Vec::new() };
         let mut companion = DMatrix::zeros(2 * n, 2 * n);
         companion.view_mut((0, n), (n, n)).fill_with_identity();
         companion.view_mut((n, 0), (n, n)).copy_from(&factor.solve(&self.m0));
@@ -80,6 +81,50 @@ impl Pencil {
         companion.complex_eigenvalues().iter().copied().collect()
     }
 }
+
+impl Pencil {
+    /// `−σ_θθ` of the mode of a real simple `λ` on each closed ray, up to a common factor: from the null vector of
+    /// `M_0 + λ G − λ² M_2`.
+    pub(super) fn pressures(
+        &self,
+        lambda: Complex<f64>,
+        wedges: &[Wedge],
+        contacts: &[[FaceOf; 2]],
+    ) -> Option<Vec<f64>> {
+        if lambda.im != 0.0 || contacts.is_empty() {
+            return None;
+        }
+        let l = lambda.re;
+        let svd = (&self.m0 + &self.g * l - &self.m2 * (l * l)).svd(false, true);
+        let values = &svd.singular_values;
+        let n = values.len();
+        // sorted, largest first: a second one near zero is a second mode
+        if n < 2 || values[n - 2] < SEVERAL * values[0] {
+            return None;
+        }
+        let v_t = svd.v_t?;
+        let value = |unknown: Option<usize>| unknown.map_or(0.0, |i| v_t[(n - 1, i)]);
+        let pressure = |(w, end): FaceOf| {
+            let (count, width) = elements(&wedges[w]);
+            let first = end * (count - 1) * DEGREE;
+            let hats = lagrange(end as f64);
+            let mut strain = [0.0; 3];
+            for (unknown, (hat, slope)) in self.unknowns[w][first..=first + DEGREE].iter().zip(hats) {
+                let [radial, angular] = unknown.map(value);
+                // e_rr = λ U_r, e_θθ = U_θ' + U_r, 2e_rθ = U_r' + (λ − 1) U_θ
+                strain[0] += l * hat * radial;
+                strain[1] += slope / width * angular + hat * radial;
+                strain[2] += slope / width * radial + (l - 1.0) * hat * angular;
+            }
+            let c = polar(&wedges[w].material, [wedges[w].from, wedges[w].to][end]);
+            -(0..3).map(|j| c[(1, j)] * strain[j]).sum::<f64>()
+        };
+        Some(contacts.iter().map(|pair| pressure(pair[0])).collect())
+    }
+}
+
+/// A second singular value below this share of the largest belongs to a second mode.
+const SEVERAL: f64 = 1e-9;
 
 /// How many elements a wedge has, at most a right angle wide each, and how wide they are.
 fn elements(wedge: &Wedge) -> (usize, f64) {

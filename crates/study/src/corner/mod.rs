@@ -8,7 +8,9 @@
 //!          Ω''
 //! ```
 //!
-//! Which state governs is read off the contact pressure of the finest level along the ray: [`NEAR`] nodes that all press, or
+//! A mode that would pull on a closed ray while it presses on another cannot lead there and is passed over.
+//!
+//! Which state governs is read off the contact pressure of the finest discrete solution along the ray: [`NEAR`] nodes that all press, or
 //! none of which does. Loads, jumps of tractions and given displacements are taken for smooth enough not to matter. Where the
 //! bodies are apart before loading the zone is open at its ends.
 
@@ -21,7 +23,7 @@ use crate::record::{Corner, CornerState, CornerWedge, RayState, ZoneProfile};
 use crate::study::Scene;
 use outline::{Node, Outline};
 use signorini_contact::Error;
-use signorini_contact::corner::{Face, Wedge, singular_exponent};
+use signorini_contact::corner::{Face, Singularity, Wedge, singularity};
 use signorini_contact::mesh::Mesh;
 pub use state::NEAR;
 use state::governing;
@@ -31,7 +33,7 @@ use std::collections::BTreeMap;
 /// there is one.
 ///
 /// # Errors
-/// What [`singular_exponent`] refuses.
+/// What [`singularity`] refuses.
 pub fn corners(scene: &Scene, mesh: &Mesh, zone: Option<&ZoneProfile>) -> Result<Vec<Corner>, Error> {
     let outline = Outline::new(scene, mesh);
     let mut finder = Finder { scene, known: Vec::new() };
@@ -84,7 +86,7 @@ struct Ray {
 /// Solves the local problems, equal ones once.
 struct Finder<'a> {
     scene: &'a Scene,
-    known: Vec<(Vec<Wedge>, Option<(f64, f64)>)>,
+    known: Vec<(Vec<Wedge>, Singularity)>,
 }
 
 impl Finder<'_> {
@@ -97,19 +99,20 @@ impl Finder<'_> {
                 wedges[1].faces[1 - ray.face] = Face::Free;
             }
         }
-        let exponent = self.exponent(wedges)?;
+        let Singularity { exponent, pulling } = self.singularity(wedges)?;
         Ok(CornerState {
             rays: states,
-            exponent: exponent.map(|(re, _)| re),
-            oscillation: exponent.map(|(_, im)| im).filter(|im| *im > 1e-7),
+            exponent: exponent.map(|l| l.re),
+            oscillation: exponent.map(|l| l.im).filter(|im| *im != 0.0),
+            pulling: pulling.map(|l| l.re),
         })
     }
 
-    fn exponent(&mut self, wedges: Vec<Wedge>) -> Result<Option<(f64, f64)>, Error> {
+    fn singularity(&mut self, wedges: Vec<Wedge>) -> Result<Singularity, Error> {
         if let Some((_, known)) = self.known.iter().find(|(w, _)| *w == wedges) {
             return Ok(*known);
         }
-        let found = singular_exponent(&wedges)?.map(|l| (l.re, l.im));
+        let found = singularity(&wedges)?;
         self.known.push((wedges, found));
         Ok(found)
     }

@@ -150,6 +150,12 @@ fn notes(layer: &Layer<'_>, subject: &Subject, reference: &ReferencePlan, is_loc
                 .into(),
         );
     }
+    if layer.slide.is_some() {
+        notes.push(
+            "p(u_I) need not vanish: ceiling and ledger hold energies and normal jumps, which a slide does not change"
+                .into(),
+        );
+    }
     let gates = layer.gates.and_then(|g| g.get_ref().reason.as_ref()).map(|r| format!("gates: {r}"));
     let expected = layer.expected.and_then(|e| e.get_ref().reason.as_ref()).map(|r| format!("expected rate: {r}"));
     notes.extend(gates.into_iter().chain(expected));

@@ -36,6 +36,9 @@ pub struct CornerState {
     pub exponent: Option<f64>,
     /// `Im λ` of that exponent, not zero where the solution oscillates.
     pub oscillation: Option<f64>,
+    /// The smallest `Re λ` that was passed over because its mode would pull on a ray that is closed.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub pulling: Option<f64>,
 }
 
 /// Whether the bodies touch along a ray from a corner.
@@ -103,9 +106,10 @@ fn degrees(angle: f64) -> String {
 }
 
 fn exponent(state: &CornerState) -> String {
-    match (state.exponent, state.oscillation) {
+    let own = match (state.exponent, state.oscillation) {
         (None, _) => "none below 1".into(),
         (Some(re), Some(im)) => format!("{re:.4} ± {im:.4}i"),
         (Some(re), None) => format!("{re:.4}"),
-    }
+    };
+    own + &state.pulling.map_or_else(String::new, |l| format!(" ({l:.4} would pull)"))
 }

@@ -18,6 +18,8 @@ mod refused;
 mod slide;
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod tied;
 pub mod timing;
 #[cfg(test)]
 mod twins;
@@ -27,7 +29,7 @@ use crate::error::RunError;
 use crate::exact::verify;
 use crate::lemma::Lemma;
 use crate::rate;
-use crate::record::{Level, Reference, SCHEMA, StudyRecord};
+use crate::record::{Level, Reference, SCHEMA, StudyRecord, ZoneProfile};
 use crate::reference::overkill::Overkill;
 use crate::study::{Case, ReferencePlan, Scene, Study, Subject};
 use crate::verdict::{self, JudgeInput};
@@ -147,7 +149,7 @@ fn run_lemma(
     };
     let (levels, times) = side_by_side(cells.len(), measure)?;
     let reference = if case.reference == ReferencePlan::Exact { Reference::Exact } else { Reference::None };
-    let record = conclude(study, case, settings, levels, reference)?;
+    let record = conclude(study, case, settings, levels, reference, None)?;
     Ok(CaseRun { record, times, reference_times: None, kept: Partial::none() })
 }
 
@@ -186,9 +188,10 @@ fn run_contact(
     let refused::Parted { solved, refused } = refused::part(measured, cells)?;
     let (levels, times) = solved.into_iter().unzip();
     let reference = reference::describe(case, overkill.as_ref().map(|(o, _)| o), &task);
-    let mut record = conclude(study, case, settings, levels, reference)?;
+    let zone = overkill.as_ref().and_then(|(o, _)| reference::zone(scene, o));
+    let mut record = conclude(study, case, settings, levels, reference, zone)?;
     record.verdict = refused::doubted(record.verdict, &refused);
-    record.notes.extend(refused);
+    record.notes.extend(refused.into_iter().chain(level::bilateral::note(&record.levels)));
     Ok(CaseRun { record, times, reference_times: overkill.map(|(_, t)| t), kept: partial })
 }
 
@@ -251,13 +254,15 @@ fn measure_level(task: &Task, overkill: Option<&Overkill>, index: usize) -> Resu
     }
 }
 
-/// Contamination, exclusion, rates and verdict: everything that needs all levels together.
+/// Contamination, exclusion, rates and verdict: everything that needs all levels together. `of_reference` is the contact zone of a
+/// discrete reference.
 fn conclude(
     study: &Study,
     case: &Case,
     settings: &RunSettings,
     mut levels: Vec<Level>,
     mut reference: Reference,
+    of_reference: Option<ZoneProfile>,
 ) -> Result<StudyRecord, RunError> {
     let claim = &study.claim;
     if !case.projects {
@@ -269,7 +274,7 @@ fn conclude(
     if let Some(rate) = rates.get_mut(&claim.norm).filter(|_| case.borderline) {
         rate.log_alternatives = rate::log_alternatives(&levels, &claim.norm, rate);
     }
-    let corners = corners_of(case, cells_of(case, settings), zone.as_ref())?;
+    let corners = corners_of(case, cells_of(case, settings), of_reference.as_ref().or(zone.as_ref()))?;
     let bounds = corners::bounds(case, &corners);
     let verdict = verdict::judge(&JudgeInput {
         kind: claim.kind,

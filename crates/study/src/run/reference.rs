@@ -1,11 +1,13 @@
 //! The discrete reference in a record: what it is, and how much of the measured errors is its own.
 
+use super::contact::ContactState;
 use super::level::{Task, certificate};
+use super::profile;
 use crate::error::RunError;
 use crate::rate;
-use crate::record::{Level, Reference};
+use crate::record::{Level, Reference, ZoneProfile};
 use crate::reference::overkill::Overkill;
-use crate::study::{Case, ReferencePlan};
+use crate::study::{Case, ReferencePlan, Scene};
 
 /// The entry of the record.
 pub fn describe(case: &Case, overkill: Option<&Overkill>, task: &Task) -> Reference {
@@ -20,6 +22,14 @@ pub fn describe(case: &Case, overkill: Option<&Overkill>, task: &Task) -> Refere
         stationarity: certificate(&overkill.discrete, &overkill.solution).stationarity,
         solver: task.settings.method.name().to_owned(),
     }
+}
+
+/// Pressure and gap along the zone of the reference.
+pub fn zone(scene: &Scene, overkill: &Overkill) -> Option<ZoneProfile> {
+    let Overkill { hierarchy, discrete, solution } = overkill;
+    let mesh = hierarchy.finest();
+    let state = ContactState::new(mesh, discrete, solution);
+    profile::measure(scene, mesh, discrete, solution, &state, true).profile
 }
 
 /// Where a study level stands in the reference's hierarchy: the mesh with the same number of nodes, which is then the

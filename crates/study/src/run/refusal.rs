@@ -13,7 +13,7 @@ use signorini_contact::Error;
 /// Whatever else is wrong with the scene: a case that is refused for another reason says nothing.
 pub fn run_refused(study: &Study, case: &Case, scene: &Scene, settings: &RunSettings) -> Result<CaseRun, RunError> {
     let refusal = refusal(case, scene, cells_of(case, settings))?;
-    let mut record = conclude(study, case, settings, Vec::new(), Reference::None)?;
+    let mut record = conclude(study, case, settings, Vec::new(), Reference::None, None)?;
     record.verdict = judge(&refusal);
     record.refusal = Some(refusal);
     Ok(CaseRun { record, times: Vec::new(), reference_times: None, kept: Partial::none() })

@@ -90,3 +90,79 @@ fn a_profile_survives_an_interrupted_run() {
     assert_eq!(kept, 1);
     assert!(again.zone.is_some() && again == first);
 }
+
+/// L(u) of P(3,2) is known: the limit of the energies finds it within its uncertainty, and bounds the errors from above.
+#[test]
+fn the_limit_of_the_energies_is_that_of_the_exact_solution() {
+    let record = run("theorem-3-1-smooth", "structured", 4, None);
+    let found = record.extrapolation.expect("nested levels");
+    let exact = record.levels[3].energy - record.levels[3].errors.energy_gap.unwrap();
+    assert!((found.energy - exact).abs() < 2.0 * found.uncertainty, "{found:?} {exact}");
+    assert!((found.reference_above.unwrap() - (exact - found.energy)).abs() < 1e-15);
+    // the coarsest level, n = 8, is left out of the limit and decides on the uncertainty: a fifth of the smallest A(e,e)
+    let smallest = record.levels[3].errors.energy.unwrap();
+    assert!(found.uncertainty < 0.2 * smallest * smallest, "{found:?}");
+    assert!((found.rate - 1.0).abs() < 0.03, "{}", found.rate);
+    for (level, bound) in record.levels.iter().zip(&found.bounds) {
+        let (e, bound) = (level.errors.energy.unwrap(), bound.unwrap());
+        assert!(e < bound && e > 0.97 * bound, "{e} {bound}");
+    }
+    assert!(record.corners.is_empty(), "the exact solution decides the regularity");
+}
+
+/// Energies of meshes that are not nested, or of data that are interpolated, need not fall to `L(u)` from above.
+#[test]
+fn only_nested_sets_are_extrapolated() {
+    assert!(run("theorem-3-1-smooth", "perturbed", 4, None).extrapolation.is_none());
+    assert!(run("corner-patch", "patch-1", 4, None).extrapolation.is_none());
+}
+
+/// Three levels below a reference of 32 cells.
+fn small(id: &str, case: &str, projects: bool) -> StudyRecord {
+    let study = sample::study(id);
+    let mut case = study.cases.iter().find(|c| c.name == case).unwrap().clone();
+    (case.projects, case.quick) = (projects, vec![4, 8, 16]);
+    case.reference = ReferencePlan::Overkill { quick: 32, full: 32 };
+    let settings = RunSettings { profile: Profile::Quick, levels: None, solver: None, partial: None };
+    run_case(&study, &case, &settings, &Unwatched).unwrap().record
+}
+
+/// The projection is the best approximation from `K_h`, so no worse than the interpolant, and its energy gives its distance a
+/// second time. The discrete solution of the scene itself is no projection: it is farther away.
+#[test]
+fn a_projection_is_the_nearest_of_all() {
+    let projected = small("lemma-3-1", "flat-punch", true);
+    for level in &projected.levels {
+        let (e, interpolation) = (level.errors.energy.unwrap(), level.errors.interpolation.unwrap());
+        assert!(e <= interpolation && level.two_way.unwrap() < 1e-9, "{e} {interpolation} {:?}", level.two_way);
+        assert!((2.0 * level.errors.energy_gap.unwrap() - e * e).abs() < 1e-9 * e * e && level.ledger.is_none());
+    }
+    let solved = small("lemma-3-1", "flat-punch", false);
+    for (near, far) in projected.levels.iter().zip(&solved.levels) {
+        assert!(near.errors.energy.unwrap() < far.errors.energy.unwrap());
+    }
+}
+
+/// The same against a closed form, across a gap.
+#[test]
+fn the_projection_of_a_closed_form_is_no_worse_than_its_interpolant() {
+    let study = sample::study("theorem-3-4");
+    let mut case = study.cases.iter().find(|c| c.name == "convex-structured").unwrap().clone();
+    let settings = RunSettings { profile: Profile::Quick, levels: Some(2), solver: None, partial: None };
+    let solved = run_case(&study, &case, &settings, &Unwatched).unwrap().record;
+    case.projects = true;
+    let projected = run_case(&study, &case, &settings, &Unwatched).unwrap().record;
+    for (near, far) in projected.levels.iter().zip(&solved.levels) {
+        let e = near.errors.energy.unwrap();
+        assert!(e <= near.errors.interpolation.unwrap() && e < far.errors.energy.unwrap(), "{e}");
+        assert!((2.0 * near.errors.energy_gap.unwrap() / (e * e) - 1.0).abs() < 1e-5, "{near:?}");
+    }
+}
+
+/// The corners of the scene become the expected rate.
+#[test]
+fn a_study_may_expect_what_its_corners_do() {
+    let record = small("theorem-3-2", "tilted-punch", false);
+    assert_eq!(record.bounds.expected, Some(crate::record::corner_rate(&record.corners)));
+    assert!((record.bounds.expected.unwrap() - 0.7112).abs() < 1e-4, "{:?}", record.corners);
+}

@@ -28,7 +28,7 @@ fn run(id: &str, case: &str, cells: &[usize], constrain: Constrain) -> StudyReco
     let task = Task { case, scene: case.scene().unwrap(), cells, settings: Settings::default(), constrain };
     let levels = (0..cells.len()).map(|k| measure_level(&task, None, k).unwrap().0).collect();
     let settings = RunSettings { profile: Profile::Quick, levels: None, solver: None, partial: None };
-    conclude(&study, case, &settings, levels, Reference::Exact).unwrap()
+    conclude(&study, case, &settings, levels, Reference::Exact, None).unwrap()
 }
 
 /// The energy errors of a record.

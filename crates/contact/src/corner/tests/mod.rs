@@ -2,7 +2,7 @@
 
 mod determinant;
 
-use super::{Face, Wedge, exponents, singular_exponent};
+use super::{Face, Mode, Wedge, exponents, singularity};
 use crate::material::{Material, Plane};
 use Face::{Clamped, Contact, Free, Sliding};
 use determinant::{determinant, polish, zeros};
@@ -17,7 +17,7 @@ fn wedge(degrees: f64, faces: [Face; 2]) -> Wedge {
 }
 
 fn smallest(wedges: &[Wedge]) -> Complex<f64> {
-    singular_exponent(wedges).unwrap().expect("a singular corner")
+    singularity(wedges).unwrap().exponent.expect("a singular corner")
 }
 
 /// A punch on a block that reaches farther: contact along `θ = 0`.
@@ -44,9 +44,9 @@ fn a_crack_has_a_half_and_half_planes_have_nothing() {
     let crack = exponents(&[wedge(360.0, [Free, Free])]).unwrap();
     assert!((crack[0].re - 0.5).abs() < 1e-8 && (crack[1].re - 0.5).abs() < 1e-8 && crack[2].re > 0.9, "{crack:?}");
     for faces in [[Free, Free], [Clamped, Clamped], [Sliding, Sliding], [Sliding, Free]] {
-        assert_eq!(singular_exponent(&[wedge(90.0, faces)]).unwrap(), None, "{faces:?}");
+        assert_eq!(singularity(&[wedge(90.0, faces)]).unwrap().exponent, None, "{faces:?}");
     }
-    assert_eq!(singular_exponent(&[wedge(180.0, [Free, Free])]).unwrap(), None);
+    assert_eq!(singularity(&[wedge(180.0, [Free, Free])]).unwrap().exponent, None);
 }
 
 /// Williams (1952): `sin λω = ± λ sin ω` between free faces, `κ sin λω = ± λ sin ω` between clamped ones.
@@ -54,7 +54,7 @@ fn a_crack_has_a_half_and_half_planes_have_nothing() {
 fn williams_notches() {
     for degrees in [200.0_f64, 225.0, 270.0, 300.0, 330.0] {
         let w = degrees.to_radians();
-        for (faces, kappa, signs) in [([Free; 2], 1.0, &[1.0][..]), ([Clamped; 2], 1.8, &[1.0, -1.0])] {
+        for (faces, kappa, signs) in [([Free; 2], 1.0, &[-1.0][..]), ([Clamped; 2], 1.8, &[1.0, -1.0])] {
             for sign in signs {
                 // 0 < λ < 1: the sine falls from its first maximum to that of λω = 3π/2
                 let f = |l: f64| kappa * (l * w).sin() - sign * l * w.sin();
@@ -74,10 +74,10 @@ fn between_a_clamped_and_a_free_face() {
     let root = bisect(|l| (l * 90f64.to_radians()).sin().powi(2) - (2.8f64.powi(2) - 4.0 * l * l) / 7.2, 0.5, 0.9);
     let found = smallest(&[wedge(90.0, [Clamped, Free])]);
     assert!((found - Complex::from(root)).norm() < 1e-9 && (root - 0.711).abs() < 5e-4, "{found} {root}");
-    // a crack with one clamped face oscillates: Re λ = ¼, Im λ = ln κ/(2π)
+    // at a full turn sin² 2πλ = (κ+1)²/(4κ) > 1: the crack with one clamped face oscillates, λ = ¼ ± i ln κ/(4π)
     let crack = smallest(&[wedge(360.0, [Clamped, Free])]);
-    let known = Complex::new(0.25, 1.8f64.ln() / std::f64::consts::TAU);
-    assert!((crack - known).norm() < 1e-7, "{crack} {known}");
+    let known = Complex::new(0.25, 0.5 * 1.8f64.ln() / std::f64::consts::TAU);
+    assert!((crack - known).norm() < 1e-6, "{crack} {known}");
 }
 
 /// Between rails `λ = |kπ/ω ± 1|`; a rail is a plane of symmetry of the doubled wedge.
@@ -105,7 +105,7 @@ fn the_edge_of_a_punch() {
 }
 
 fn smallest_or_one(wedges: &[Wedge]) -> f64 {
-    singular_exponent(wedges).unwrap().map_or(1.0, |l| l.re)
+    singularity(wedges).unwrap().exponent.map_or(1.0, |l| l.re)
 }
 
 /// One wedge and two, every pair of faces, equal and different materials.
@@ -167,6 +167,45 @@ fn turning_the_corner() {
     let wood = Material::orthotropic([10.0, 1.0, 1.0], [0.3, 0.03, 0.3], 0.6, Plane::Strain).unwrap();
     let (zero, quarter, eighth) = (of(wood, 0.0), of(wood, std::f64::consts::PI), of(wood, 0.6));
     assert!((zero - quarter).abs() < 1e-9 && (zero - eighth).abs() > 1e-3, "{zero} {quarter} {eighth}");
+}
+
+/// A wedge in a groove, both of the same material and symmetric about the `y`-axis: the modes are even or odd, and an odd one
+/// presses on one flank as much as it pulls on the other.
+#[test]
+fn a_mode_that_pulls_on_one_flank_is_passed_over() {
+    let flank = 0.5f64.atan();
+    let (right, left) = (flank, std::f64::consts::PI - flank);
+    let both = |material: Material| {
+        [
+            Wedge { material, from: right, to: left, faces: [Contact; 2] },
+            Wedge { material, from: left, to: right + std::f64::consts::TAU, faces: [Contact; 2] },
+        ]
+    };
+    let whole = both(isotropic(1.0, 0.3));
+    let found = singularity(&whole).unwrap();
+    let odd = found.pulling.expect("an odd mode");
+    // even modes are those of one half with rails on the axis; odd ones have u_θ ≠ 0 there and u_r = 0
+    let half = std::f64::consts::FRAC_PI_2;
+    let even = [
+        Wedge { faces: [Contact, Sliding], to: half, ..whole[0] },
+        Wedge { faces: [Sliding, Contact], from: -half, to: right, ..whole[1] },
+    ];
+    let of_half = exponents(&even).unwrap();
+    assert!((odd.re - 0.3379).abs() < 1e-4, "{odd}");
+    assert!(of_half.iter().all(|l| (l - odd).norm() > 1e-3), "{of_half:?}");
+    match found.exponent {
+        Some(l) => assert!(of_half.iter().any(|e| (e - l).norm() < 1e-8), "{l} {of_half:?}"),
+        None => assert!(of_half.iter().all(|e| e.re > 0.999_99), "{of_half:?}"),
+    }
+}
+
+#[test]
+fn pressures_of_one_sign_may_press_and_oscillating_ones_may_not() {
+    let mode = |im: f64, pressures: Option<Vec<f64>>| Mode { exponent: Complex::new(0.5, im), pressures };
+    assert!(mode(0.0, Some(vec![-1.0, -2.0])).may_press(2) && mode(0.0, Some(vec![1.0, 0.0])).may_press(2));
+    assert!(mode(0.0, Some(vec![1.0, 1e-9])).may_press(2) && mode(0.0, None).may_press(2));
+    assert!(!mode(0.0, Some(vec![1.0, -0.1])).may_press(2) && !mode(0.1, None).may_press(1));
+    assert!(mode(0.1, None).may_press(0));
 }
 
 #[test]

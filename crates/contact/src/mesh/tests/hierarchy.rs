@@ -270,3 +270,19 @@ fn a_single_macro_triangle_per_body_refines_alone() {
     assert_eq!(fine.triangles.len(), 2 * 256);
     check_contact(fine, &scene.contact);
 }
+
+/// `(Pᵀ f)·v = f·(P v)` for forces and fields without any symmetry.
+#[test]
+fn restriction_is_the_transpose_of_prolongation() {
+    let hierarchy = refined(squares(2, Pattern::CrissCross).build().unwrap(), 2);
+    let size = |level: usize| hierarchy.levels()[level].points.len();
+    let field =
+        |n: usize, a: f64| (0..n).map(|i| Vec2::new((a * i as f64).sin(), (1.0 + a * i as f64).cos())).collect();
+    let dot = |a: &[Vec2], b: &[Vec2]| a.iter().zip(b).map(|(a, b)| a.dot(b)).sum::<f64>();
+    for (from, to) in [(2, 0), (2, 1), (1, 0), (2, 2)] {
+        let (forces, v): (Vec<Vec2>, Vec<Vec2>) = (field(size(from), 0.7), field(size(to), 1.3));
+        let (left, right) = (hierarchy.restrict(from, to, &forces), hierarchy.prolong(to, from, &v));
+        assert_eq!(left.len(), size(to));
+        assert!((dot(&left, &v) - dot(&forces, &right)).abs() < 1e-12 * size(from) as f64, "{from} {to}");
+    }
+}

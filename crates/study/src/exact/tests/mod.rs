@@ -7,6 +7,7 @@ mod derivatives;
 mod green;
 mod names;
 mod rejected;
+mod tied;
 
 use super::{Exact, GapShape, arc, built_in};
 use signorini_contact::{ContactLine, Material, Point, material::Lame};

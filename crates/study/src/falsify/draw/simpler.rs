@@ -92,7 +92,7 @@ fn place(draw: &mut Draw) {
 fn round(draw: &mut Draw, digits: usize) {
     let to = |x: &mut f64| *x = rounded(*x, digits);
     match &mut draw.solution {
-        Solution::BuiltIn(_, values) => values.iter_mut().for_each(|(_, x)| to(x)),
+        Solution::BuiltIn(_, values) => values.iter_mut().for_each(|(name, x)| *x = parameter(name, *x)),
         Solution::Traces(t) => {
             t.switches.iter_mut().for_each(|s| *s = rounded(*s, digits.max(2)));
             t.pieces.iter_mut().for_each(|p| to(&mut p.amplitude));
@@ -103,8 +103,22 @@ fn round(draw: &mut Draw, digits: usize) {
         }
         Solution::None => {}
     }
-    draw.laws.iter_mut().flat_map(|law| [&mut law.young, &mut law.poisson]).for_each(to);
+    for law in &mut draw.laws {
+        to(&mut law.young);
+        // 0.45 must not become 0.5
+        law.poisson = rounded(law.poisson.min(0.44), digits);
+    }
     if let Place::Polyline(Pushed { corners, top, forces }) = &mut draw.place {
         corners.iter_mut().flatten().chain(top).chain(forces.iter_mut().flatten()).for_each(to);
+    }
+}
+
+/// Exponents to one decimal, upwards: the scene becomes no rougher than the hypotheses allow.
+fn parameter(name: &str, x: f64) -> f64 {
+    let up = rounded((10.0 * x).ceil() / 10.0, 2);
+    match name {
+        "alpha" if up > 1.95 => x,
+        "alpha" | "beta" => up,
+        _ => x,
     }
 }

@@ -31,7 +31,7 @@ impl Wave {
         Self {
             amplitude: sign * dice.decades(-2.0, -0.5),
             frequency: dice.between(0.5, 5.0),
-            phase: dice.between(0.0, 6.28),
+            phase: dice.between(0.0, 6.2),
         }
     }
 
@@ -48,7 +48,7 @@ impl Wave {
 /// What happens between two neighbouring switch points.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Piece {
-    /// Largest pressure in units of the smaller shear modulus, or largest gap.
+    /// Pressure in units of the smaller shear modulus, or gap, that the bubble has where it is 1.
     pub amplitude: f64,
     /// Power of the bubble.
     pub exponent: f64,
@@ -72,14 +72,14 @@ pub struct TraceDraw {
 }
 
 /// Neighbouring switch points, and the ends of the zone, are at least this share of the zone apart.
-const APART: f64 = 0.08;
+const APART: f64 = 0.12;
 
 impl TraceDraw {
     /// With `least` to `most` switch points.
     pub(in crate::falsify) fn draw(dice: &mut Dice, least: usize, most: usize) -> Self {
         let count = least + dice.below(most - least + 1);
         let pressed_first = dice.coin();
-        let pieces = (0..=count).map(|k| piece(dice, (k % 2 == 0) == pressed_first)).collect();
+        let pieces = (0..=count).map(|k| piece(dice, k.is_multiple_of(2) == pressed_first)).collect();
         Self {
             switches: switches(dice, count),
             pieces,
@@ -92,7 +92,7 @@ impl TraceDraw {
 
     /// Whether piece `k` is in contact.
     pub fn is_pressed(&self, k: usize) -> bool {
-        (k % 2 == 0) == self.pressed_first
+        k.is_multiple_of(2) == self.pressed_first
     }
 
     /// The largest `‖T_n‖_∞` and `|[u]_n|_{1,∞}` in closed form: amplitude, and amplitude times the steepest slope of the bubble.
@@ -101,24 +101,34 @@ impl TraceDraw {
         let mut bounds = [0.0_f64; 2];
         for (k, piece) in self.pieces.iter().enumerate() {
             if self.is_pressed(k) {
-                bounds[0] = bounds[0].max(piece.amplitude * unit);
+                bounds[0] = bounds[0].max(piece.amplitude * self.height(k) * unit);
             } else {
-                let [from, to] = self.ends(k);
-                let inner = k > 0 && k < self.switches.len();
-                bounds[1] = bounds[1].max(piece.amplitude * steepest(piece.exponent, inner) / ((to - from) * length));
+                let slope = steepest(piece.exponent, self.is_inner(k)) / (self.length(k) * length);
+                bounds[1] = bounds[1].max(piece.amplitude * self.height(k) * slope);
             }
         }
         bounds
     }
 
-    fn ends(&self, k: usize) -> [f64; 2] {
+    fn is_inner(&self, k: usize) -> bool {
+        k > 0 && k < self.switches.len()
+    }
+
+    /// Of piece `k`, as a share of the zone.
+    fn length(&self, k: usize) -> f64 {
         let left = if k == 0 { 0.0 } else { self.switches[k - 1] };
-        [left, self.switches.get(k).copied().unwrap_or(1.0)]
+        self.switches.get(k).copied().unwrap_or(1.0) - left
+    }
+
+    /// The largest value of the bubble of piece `k` to its power.
+    fn height(&self, k: usize) -> f64 {
+        let share = self.length(k);
+        (if self.is_inner(k) { 0.5 * share } else { share }).powf(self.pieces[k].exponent)
     }
 }
 
-/// The largest derivative of the bubble to the power `m` on an interval of length 1: `(4t(1−t))^m` between two switch points,
-/// `t^m` beside one.
+/// The largest derivative of the bubble to the power `m`, with the largest value 1, on an interval of length 1: `(4t(1−t))^m` between
+/// two switch points, `t^m` beside one.
 fn steepest(m: f64, inner: bool) -> f64 {
     if !inner {
         return m;
@@ -130,9 +140,9 @@ fn steepest(m: f64, inner: bool) -> f64 {
 
 fn piece(dice: &mut Dice, pressed: bool) -> Piece {
     if pressed {
-        Piece { amplitude: dice.decades(-1.5, 0.5), exponent: dice.pick(&[2.0, 2.0, 3.0]) }
+        Piece { amplitude: dice.decades(-0.5, 1.0), exponent: dice.pick(&[2.0, 2.0, 3.0]) }
     } else {
-        Piece { amplitude: dice.decades(-2.0, 0.0), exponent: dice.pick(&[3.0, 3.0, 4.0]) }
+        Piece { amplitude: dice.decades(-1.0, 0.5), exponent: dice.pick(&[3.0, 3.0, 4.0]) }
     }
 }
 
@@ -144,6 +154,9 @@ fn switches(dice: &mut Dice, count: usize) -> Vec<f64> {
     cuts.iter().enumerate().map(|(k, c)| rounded(free * c + APART * (k + 1) as f64, 3)).collect()
 }
 
+/// A component from the common part, the gap, and the shares of `Ω'` and `Ω''` in it.
+type Across = fn(&str, &str, f64, f64) -> String;
+
 /// The interval of the parameter, its name, and the sign and form of the gap.
 pub struct Place<'a> {
     /// Name of the parameter.
@@ -153,7 +166,7 @@ pub struct Place<'a> {
     /// To.
     pub to: f64,
     /// What `w'` is, given the common part, the gap, and the shares of `Ω'` and `Ω''` in it; then `w''`.
-    pub across: [fn(&str, &str, f64, f64) -> String; 2],
+    pub across: [Across; 2],
     /// The stress of a unit of pressure.
     pub unit: f64,
 }
@@ -202,18 +215,19 @@ impl TraceDraw {
     }
 }
 
-/// `A · bubble^m` between two switch points, or beside one, or everywhere.
+/// `A · bubble^m`: `(x − l)(r − x) / (½ (r − l) |Γ_K|)` between two switch points, the distance from it over `|Γ_K|` beside one. A
+/// short piece is then as smooth as a long one, and weaker: it does not govern `‖u‖_2`.
 fn bubble(piece: &Piece, place: &Place, left: Option<f64>, right: Option<f64>, unit: f64) -> String {
     let x = place.name;
     let amplitude = rounded(piece.amplitude * unit, 3);
-    let scale = |width: f64| rounded(width, 5);
+    let length = rounded(place.to - place.from, 5);
     match (left, right) {
         (None, None) => format!("{amplitude}"),
-        (None, Some(r)) => format!("{amplitude}*(pos({r} - {x})/{})^{}", scale(r - place.from), piece.exponent),
-        (Some(l), None) => format!("{amplitude}*(pos({x} - {l})/{})^{}", scale(place.to - l), piece.exponent),
+        (None, Some(r)) => format!("{amplitude}*(pos({r} - {x})/{length})^{}", piece.exponent),
+        (Some(l), None) => format!("{amplitude}*(pos({x} - {l})/{length})^{}", piece.exponent),
         (Some(l), Some(r)) => {
-            let quarter = scale(0.25 * (r - l) * (r - l));
-            format!("{amplitude}*(pos({x} - {l})*pos({r} - {x})/{quarter})^{}", piece.exponent)
+            let scale = rounded(0.5 * (r - l) * length, 5);
+            format!("{amplitude}*(pos({x} - {l})*pos({r} - {x})/{scale})^{}", piece.exponent)
         }
     }
 }

@@ -30,6 +30,7 @@ fn every_field_is_documented() {
         "[body.material.orthotropic]",
         "[[boundary]]",
         "[contact]",
+        "[slide]",
         "[[curve]]",
         "[curve.circle]",
         "[curve.graph]",

@@ -82,11 +82,14 @@ const TABLE: &[Row] = &[
         "\"bottom\"\nalong = [[0, -1], [0", "two boundary parts `bottom`"),
     ("id = \"small\"", "id = \"tall\"", "\"tall\"", "id `tall` in a file named"),
     ("claim = \"theorem-3-1\"", "claim = \"theorem-3-1a\"", "\"theorem-3-1a\"", "no claim `theorem-3-1a`"),
-    ("claim = \"theorem-3-1\"", "claim = \"theorem-3-5\"", "\"theorem-3-5\"", "cannot be judged yet"),
+    ("claim = \"theorem-3-1\"", "claim = \"remark-3-1\"", "\"remark-3-1\"", "cannot be judged yet"),
     ("claim = \"theorem-3-1\"\n", "", "\"small\"", "claims nothing"),
     ("[levels]", "[exact]\nbuiltin = \"Q\"\n[levels]", "\"Q\"", "no built-in exact solution `Q`"),
     ("[levels]", "[exact]\nbuiltin = \"R\"\n[levels]", "\"R\"", "isotropic bodies only"),
     ("name = \"refined\"", "name = \"refind\"", "\"refind\"", "unknown variant `refind`"),
+    // corners and projections
+    ("[levels]", "[expected]\nrate = \"corner\"\n[levels]", "\"corner\"", "expected a number, \"none\" or \"corners\""),
+    ("[levels]", "[reference]\nkind = \"none\"\nproject = true\n[levels]", "true\n[levels]", "neither exact nor nested"),
     // materials
     ("poisson = 0.3", "poisson = 0.5", "0.5", "ν = 0.5 must satisfy −1 < ν < 1/2"),
     ("young = 1.0", "young = -2", "-2", "E = -2 must be positive"),

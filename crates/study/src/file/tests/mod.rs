@@ -1,5 +1,6 @@
 //! Tests of the reader: shipped studies, the documented example, malformed files.
 
+mod bilateral;
 mod curves;
 mod documented;
 mod formula;

@@ -1,6 +1,6 @@
 //! The bilateral constraints of a solved level.
 
-use crate::record::BilateralRecord;
+use crate::record::{BilateralRecord, Level};
 use signorini_contact::problem::{Discrete, Solution};
 
 /// Recomputed from the nodal displacements and the contact forces; nothing without a bilateral part. `size` is `max|u|`.
@@ -19,4 +19,15 @@ pub fn measure(discrete: &Discrete, solution: &Solution, size: f64) -> Option<Bi
         seen
     });
     (!held.is_empty()).then_some(seen)
+}
+
+/// What the reader of a record is told of the finest level.
+pub fn note(levels: &[Level]) -> Option<String> {
+    let finest = levels.last()?;
+    let b = finest.kkt.bilateral.as_ref()?;
+    Some(format!(
+        "bilateral part on level {}: {} constraints, their force {:.4e} in total, largest tension {:.4e}, normal jump at most {:.1e} of \
+         the largest displacement; the certificate's signs are asked of the other constraints",
+        finest.level, b.constraints, b.force, b.tension, b.jump
+    ))
 }

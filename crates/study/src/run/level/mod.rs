@@ -3,7 +3,7 @@
 mod against_exact;
 mod against_located;
 mod against_overkill;
-mod bilateral;
+pub(super) mod bilateral;
 mod defects;
 mod discretise;
 mod inside;
