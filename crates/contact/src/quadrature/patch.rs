@@ -8,6 +8,10 @@ use crate::element::{CurvedTriangle, ElementPoint};
 use crate::geometry::{Piece, Point, Segment, cross, twice_area};
 use crate::quadrature::GAUSS_8;
 
+/// Pieces of a curved side are not divided below this length: nearer to a singular point the rounding of coordinates, of the size of
+/// the bodies, decides where a quadrature point lies, and it may fall on the singular point itself.
+const CURVE_FLOOR: f64 = 1e-12;
+
 /// A rectangle of the coordinates `(ρ, τ)` of a curved triangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Patch {
@@ -74,7 +78,7 @@ impl Cubature {
 
     fn graded(&self, piece: &Piece, [from, to]: [f64; 2], visit: &mut impl FnMut(f64, f64)) {
         let chord = Segment { a: piece.point(from), b: piece.point(to) };
-        if self.is_leaf(chord.length(), SIDE_FLOOR, |p| chord.distance(p)) {
+        if self.is_leaf(chord.length(), CURVE_FLOOR, |p| chord.distance(p)) {
             let parts = 1u32 << self.depth;
             let width = (to - from) / f64::from(parts);
             for k in 0..parts {

@@ -78,11 +78,12 @@ pub fn judge(input: &JudgeInput) -> Verdict {
 /// A chain of energies that is broken fails a claim on the energy and casts doubt on any other that would pass.
 fn doubted_by_energies(input: &JudgeInput, verdict: Verdict) -> Verdict {
     let mut reasons = chain::broken(input);
-    if reasons.is_empty() || verdict.outcome == Outcome::Fail {
+    let of_energy = input.norm == "energy_gap";
+    if reasons.is_empty() || (verdict.outcome == Outcome::Fail && !of_energy) {
         return verdict;
     }
     reasons.extend(verdict.reasons);
-    if input.norm == "energy_gap" { fail(reasons) } else { inconclusive(reasons) }
+    if of_energy { fail(reasons) } else { inconclusive(reasons) }
 }
 
 fn by_kind(input: &JudgeInput) -> Verdict {

@@ -98,7 +98,6 @@ fn the_cases_are_those_of_the_plan() {
 #[test]
 fn expected_rates_follow_from_the_regularity() {
     let solution = |id: &str, case: &str| match (id, case) {
-        ("bent-regularity", "line") => Some("R"),
         ("bent-regularity", "arc") => Some("arcR"),
         ("bent-regularity", _) => Some("graphR"),
         ("bent-strong-regularity", _) => Some("arcP"),
@@ -123,7 +122,7 @@ fn expected_rates_follow_from_the_regularity() {
             seen += 1;
         }
     }
-    assert_eq!(seen, 66);
+    assert_eq!(seen, 64);
 }
 
 /// On a boundary the trace of `H^{1+α−δ}` is approximated like `h^{min(2, α + 1/2)}`; smooth functions like `h²`.
@@ -169,6 +168,8 @@ fn every_scene_can_be_meshed_and_its_angles_are_not_small() {
                     let grid = build_level(&Family::Structured, &scene.domain(), cells, 0).unwrap();
                     f64::min(20.0, 0.5 * grid.quality.min_angle)
                 }
+                // this one is there to have small angles
+                Family::Degenerate(_) => 1.0,
                 _ => 10.0,
             };
             let angle = level.quality.min_angle;

@@ -37,6 +37,9 @@ const COARSER: &str = "solution of the next coarser mesh";
 const RANDOM: &str = "random";
 const RANDOM_OPENED: &str = "random, opened";
 
+/// The two sides for `v` (none: `u` itself) and `v_h`, and what quadrature and solver may make of the slack.
+type Evaluate<'a> = dyn Fn(Option<&[Vec2]>, &[Vec2]) -> (Sides, f64) + 'a;
+
 /// A level and what the splitting is measured with.
 pub(super) struct Measured<'a> {
     pub task: &'a Task<'a>,
@@ -63,9 +66,10 @@ impl Measured<'_> {
         if self.inside || self.plan.estimate == Estimate::Contained {
             admissible.extend(self.others(&discrete, squares[1]));
         } else {
-            let components = self.random(mesh).components(self.plan.seed, STREAM_V, squares[1].sqrt());
-            let field = opened(&self.solved.discrete, mesh, components);
-            admissible.extend(field.map(|f| Named::nodal(RANDOM_OPENED, f)));
+            let random = self.random(mesh);
+            let draw = |k| random.components(self.plan.seed, STREAM_V + k, self.distance(k, squares[1]));
+            let fields = (0..DRAWS).filter_map(|k| opened(&self.solved.discrete, mesh, draw(k)));
+            admissible.extend(fields.map(|f| Named::nodal(RANDOM_OPENED, f)));
         }
         let entry = |v: Option<&[Vec2]>, v_h: &[Vec2]| {
             let u_h = &self.solved.solution.displacement;
@@ -112,13 +116,7 @@ impl Measured<'_> {
     }
 
     /// Every pair, of random fields the worst.
-    fn all(
-        &self,
-        forms: &Forms,
-        admissible: &[Named],
-        discrete: &[Named],
-        entry: &dyn Fn(Option<&[Vec2]>, &[Vec2]) -> (Sides, f64),
-    ) -> Vec<Splitting> {
+    fn all(&self, forms: &Forms, admissible: &[Named], discrete: &[Named], entry: &Evaluate) -> Vec<Splitting> {
         let contained = self.plan.estimate == Estimate::Contained;
         // (1.2) is (1.1) with v = u_h
         let chosen = admissible.iter().filter(|v| !contained || v.kind == DISCRETE);
