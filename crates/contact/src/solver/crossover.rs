@@ -3,11 +3,11 @@
 
 use super::cholesky::Cholesky;
 use super::{QpSolution, Status};
-use crate::qp::{BoundQp, largest, residual};
+use crate::qp::{BoundQp, residual, row_size};
 
 /// Equality solves, at most.
 const ROUNDS: usize = 20;
-/// Rounding of a multiplier relative to `‖K‖_∞‖x‖_∞ + ‖f‖_∞`, and of a slack times its stiffness.
+/// Rounding of a multiplier, and of a slack times its stiffness, relative to the terms of its row, `(|K||x| + |f|)_c`.
 const ROUNDING: f64 = 1e-13;
 /// Rigid motions of two bodies, at most.
 const MOTIONS: usize = 6;
@@ -72,9 +72,9 @@ fn identified(qp: &BoundQp, answer: &QpSolution) -> Vec<bool> {
 /// Drops the active bounds that pull, adds the violated ones; rounding changes nothing.
 fn corrected(qp: &BoundQp, active: &[bool], x: &[f64]) -> Vec<bool> {
     let reaction = residual(qp, x);
-    let tolerance = ROUNDING * (qp.matrix.norm_inf() * largest(x) + largest(&qp.load));
     let stays = |(bound, &active): (&crate::qp::Bound, &bool)| {
         let dof = bound.dof as usize;
+        let tolerance = ROUNDING * row_size(qp, x, dof);
         if active { reaction[dof] > -tolerance } else { stiffness(qp, dof) * (x[dof] - bound.upper) > tolerance }
     };
     qp.bounds.iter().zip(active).map(stays).collect()

@@ -6,6 +6,8 @@
 mod check;
 mod contact;
 mod contact_width;
+#[cfg(test)]
+mod hard_tests;
 mod level;
 mod overlay;
 mod partial;
