@@ -38,11 +38,12 @@ struct Ends {
 #[test]
 fn random_scenes_are_certified_or_refused() {
     let mut ends = Ends::default();
+    let mut unsound = Vec::new();
     for number in cases(1200) {
         let scene = scene::random(&mut Random::new(number));
         match survives(number, &scene.text, || run(&scene.text)) {
             Ok(record) => {
-                sound(number, &scene, &record);
+                unsound.extend(fault(&scene, &record).map(|why| format!("case {number}: {why}\n{}", scene.text)));
                 ends.solved += 1;
             }
             Err(error) => {
@@ -54,6 +55,12 @@ fn random_scenes_are_certified_or_refused() {
             }
         }
     }
+    assert!(
+        unsound.is_empty(),
+        "{} unsound answers, among them\n{}",
+        unsound.len(),
+        unsound[..unsound.len().min(5)].join("\n")
+    );
     // the generator makes both sorts, and more of those that have a solution
     assert!(ends.refused > 0 && ends.solved > ends.refused, "{ends:?}");
 }
@@ -64,14 +71,18 @@ fn run(text: &str) -> Result<StudyRecord, RunError> {
     run_case(&study, &study.cases[0], &settings, &Unwatched).map(|run| run.record)
 }
 
-/// Certified, confirmed, no number broken, and no worse than the zero displacement where that is admissible.
-fn sound(number: u64, scene: &scene::Scene, record: &StudyRecord) {
-    let text = &scene.text;
-    assert_eq!(record.verdict.outcome, Outcome::Pass, "case {number}: {:?}\n{text}", record.verdict);
-    assert!(record.to_json().is_ok(), "case {number}: a broken number\n{text}");
-    for level in record.levels.iter().filter(|_| scene.zero_is_admissible) {
-        assert!(level.energy <= 0.0, "case {number}: L(u_h) = {} exceeds L(0) = 0\n{text}", level.energy);
+/// What is wrong with an answer that ought to be certified, confirmed, without broken numbers, and no worse than the zero displacement
+/// where that is admissible.
+fn fault(scene: &scene::Scene, record: &StudyRecord) -> Option<String> {
+    let above_zero = |energy: f64| scene.zero_is_admissible && energy > 0.0;
+    if record.verdict.outcome != Outcome::Pass {
+        return Some(format!("{:?}", record.verdict));
     }
+    if let Err(error) = record.to_json() {
+        return Some(error.to_string());
+    }
+    let energy = record.levels.iter().map(|l| l.energy).find(|e| above_zero(*e))?;
+    Some(format!("L(u_h) = {energy} exceeds L(0) = 0"))
 }
 
 #[test]

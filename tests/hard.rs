@@ -145,7 +145,7 @@ fn the_page_of_hard_cases_has_a_row_for_each() {
     ] {
         assert!(page.contains(words), "no {words:?} in\n{page}");
     }
-    assert_eq!(page.matches("limit load").count(), 4, "twice in the table, twice in the reasons\n{page}");
+    assert_eq!(page.matches("limit load:").count(), 4, "twice in the table, twice in the reasons\n{page}");
     assert!(folder.text("reports/summary.md").contains("(hard.md)"));
     let refused = folder.text("reports/hard-balance/edge/report.md");
     assert!(
@@ -154,7 +154,7 @@ fn the_page_of_hard_cases_has_a_row_for_each() {
     );
     // what the records say is enough to write it again
     folder.signorini("report reports").expect(0);
-    assert_eq!(folder.text("reports/hard.md").matches("limit load").count(), 4);
+    assert_eq!(folder.text("reports/hard.md").matches("limit load:").count(), 4);
     // and a run without hard cases takes the page away
     folder.add(common::LOADED);
     folder.signorini("run loaded --levels 1 --quiet");

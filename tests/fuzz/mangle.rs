@@ -67,7 +67,7 @@ fn mutated(text: &str, random: &mut Random) -> String {
     match random.below(8) {
         0 => drop(tokens.remove(at)),
         1 => tokens.insert(at, tokens[at]),
-        2 => tokens[at] = random.pick(&WORDS),
+        2 => tokens[at] = *random.pick(&WORDS),
         3 => {
             let other = random.below(tokens.len());
             tokens.swap(at, other);
@@ -79,7 +79,7 @@ fn mutated(text: &str, random: &mut Random) -> String {
             let numbers: Vec<usize> =
                 (0..tokens.len()).filter(|&k| tokens[k].starts_with(|c: char| c.is_ascii_digit())).collect();
             if let Some(&k) = numbers.get(random.below(numbers.len())) {
-                tokens[k] = random.pick(&NUMBERS);
+                tokens[k] = *random.pick(&NUMBERS);
             }
         }
     }
