@@ -13,7 +13,7 @@ mod border;
 mod certificate;
 
 pub use algebraic_error::algebraic_error;
-pub(crate) use backward::backward_error;
+pub(crate) use backward::{backward_error, row_norm, row_size};
 pub use border::remove_imbalance;
 pub use certificate::{Certificate, CertificateScales, certify};
 

@@ -20,7 +20,7 @@ pub struct Certificate {
     /// `‖f − Kx − λ‖_∞ / (‖K‖_∞‖x‖_∞ + ‖f‖_∞)`.
     pub stationarity: f64,
     /// The same row by row, `max_i |f−Kx−λ|_i / (|K||x| + |f|)_i`: soft bodies beside hard ones, and small loads beside large
-    /// ones, count as much as the others.
+    /// ones, count as much as the others. Without the rows of weakly active bounds, whose force is rounding: those the line above judges.
     pub componentwise: f64,
     /// `max(x_c − g)_+ / max|u|`.
     pub penetration: f64,
@@ -43,14 +43,21 @@ pub fn certify(qp: &BoundQp, x: &[f64], multipliers: &[f64], scales: &Certificat
     let small_slack = WEAK * scales.displacement;
     let presses = |multiplier: f64| multiplier > WEAK * max_multiplier;
     let pairs = || multipliers.iter().copied().zip(slack.iter().copied());
+    let is_weak = |multiplier: f64, slack: f64| !presses(multiplier) && slack < small_slack;
+    let mut rest = imbalance(qp, x, multipliers);
+    for (bound, (multiplier, slack)) in qp.bounds.iter().zip(pairs()) {
+        if is_weak(multiplier, slack) {
+            rest[bound.dof as usize] = 0.0;
+        }
+    }
     let products = pairs().map(|(multiplier, slack)| (multiplier * slack).abs());
     Certificate {
         stationarity: stationarity(qp, x, multipliers),
-        componentwise: backward_error(qp, x, &imbalance(qp, x, multipliers)),
+        componentwise: backward_error(qp, x, &rest),
         penetration: ratio(largest_deficit(&slack), scales.displacement),
         tension: ratio(largest_deficit(multipliers), max_multiplier),
         complementarity: ratio(products.sum(), scales.energy),
-        weakly_active: pairs().filter(|&(multiplier, slack)| !presses(multiplier) && slack < small_slack).count(),
+        weakly_active: pairs().filter(|&(multiplier, slack)| is_weak(multiplier, slack)).count(),
         max_multiplier,
         active: pairs().filter(|&(multiplier, _)| presses(multiplier)).count(),
     }

@@ -30,7 +30,7 @@ const CLOSED: f64 = 1e-12;
 
 /// Motions that open the zone by less than this, but do open it, meet a resistance of the order of its square: too little to be
 /// seen beside the stiffness in double precision.
-const HELD: f64 = 1e-5;
+const HELD: f64 = 1e-7;
 
 /// What the supports and the contact leave free.
 #[derive(Clone, Debug, Default)]

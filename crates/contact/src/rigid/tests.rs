@@ -66,6 +66,40 @@ fn a_wedge_has_its_two_edges_as_rays() {
     assert!(extreme_rays(&[], &rows).is_empty());
 }
 
+/// A groove of the slope `s` opens by `s` of its motion: held, free, or neither.
+#[test]
+fn a_groove_holds_is_flat_or_is_neither() {
+    let frame = frame().1;
+    let groove = |s: f64| [unit(1) - s * unit(0), unit(1) + s * unit(0)];
+    let sort = |s: f64| {
+        let (kernel, one_sided) = split(&[unit(0), unit(1)], &groove(s));
+        (kernel.len(), refuse_nearly_free(&frame, &one_sided, &groove(s)).is_ok())
+    };
+    assert_eq!(sort(1e-2), (0, true));
+    assert_eq!(sort(1e-6), (0, true));
+    assert_eq!(sort(1e-9), (0, false));
+    assert_eq!(sort(1e-14), (1, true));
+    let (_, one_sided) = split(&[unit(0), unit(1)], &groove(1e-9));
+    let error = refuse_nearly_free(&frame, &one_sided, &groove(1e-9)).unwrap_err().to_string();
+    assert!(error.contains("translation of Ω' along (1, 0)") || error.contains("along (-1, 0)"), "{error}");
+}
+
+/// Loads that a motion does not meet do not blur its balance.
+#[test]
+fn a_load_on_the_other_body_blurs_nothing() {
+    let (mesh, frame) = frame();
+    let mut load = vec![Vec2::zeros(); mesh.points.len()];
+    let heavy = mesh.node_bodies.iter().position(|b| *b == Body::Second).unwrap();
+    let light = mesh.node_bodies.iter().position(|b| *b == Body::First).unwrap();
+    load[heavy] = Vec2::new(1.0, 1.0);
+    load[light] = Vec2::new(0.0, -1e-13);
+    let judge = Judge { mesh: &mesh, frame: &frame, load: &load };
+    assert!(judge.demand_pressing(&unit(1)).is_ok());
+    load[light] = Vec2::new(1.0, -1e-13);
+    let judge = Judge { mesh: &mesh, frame: &frame, load: &load };
+    assert!(judge.demand_pressing(&unit(1)).unwrap_err().to_string().contains("limit load"));
+}
+
 #[test]
 fn motions_are_split_into_those_that_leave_the_zone_closed_and_the_rest() {
     let contact = [unit(1) - unit(4)];

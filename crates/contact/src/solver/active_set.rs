@@ -47,7 +47,7 @@ pub fn primal_dual(qp: &DenseQp, max_steps: usize, history: &mut Vec<usize>) -> 
         if face.is_singular() {
             return PrimalDual::Stopped { cycle: 0, x };
         }
-        x = face_minimiser(qp, &active, &face, &x);
+        x = face_minimiser(qp, &active, &face);
         let next = next_set(qp, &active, &x);
         if next == active {
             return PrimalDual::Solved(DenseSolution { x, active, face, steps: step });
@@ -57,12 +57,9 @@ pub fn primal_dual(qp: &DenseQp, max_steps: usize, history: &mut Vec<usize>) -> 
     PrimalDual::Stopped { cycle: 0, x }
 }
 
-/// `x_A = g_A`, `S_II x_I = b_I − S_IA g_A`.
-fn face_minimiser(qp: &DenseQp, active: &[bool], face: &Face, x: &[f64]) -> Vec<f64> {
-    let mut x = x.to_vec();
-    for (i, _) in active.iter().enumerate().filter(|(_, a)| **a) {
-        x[i] = qp.upper[i];
-    }
+/// `x_A = g_A`, `S_II x_I = b_I − S_IA g_A`. From zero, not from the last iterate, whose rounding would stay where the solution vanishes.
+pub(super) fn face_minimiser(qp: &DenseQp, active: &[bool], face: &Face) -> Vec<f64> {
+    let mut x: Vec<f64> = active.iter().zip(&qp.upper).map(|(active, g)| if *active { *g } else { 0.0 }).collect();
     let step = face.solve(&qp.residual(&x));
     x.iter_mut().zip(step).for_each(|(x, d)| *x += d);
     x

@@ -11,13 +11,13 @@ use super::kernel::{anchors, impose_conditions, start};
 use super::monotone::{Monotone, monotone};
 use super::schur::Condensation;
 use super::{Method, QpSolution, Settings, Status};
-use crate::qp::{BoundQp, backward_error, largest, residual};
+use crate::qp::{BoundQp, backward_error, residual, row_size};
 
 /// Corrections by the residual after the first solve, at most.
 const REFINEMENTS: usize = 3;
 /// A refinement has to gain this factor to be followed by another.
 const WORTHWHILE: f64 = 0.25;
-/// Multipliers below this multiple of `‖K‖_∞‖x‖_∞ + ‖f‖_∞` are rounding.
+/// Multipliers below this multiple of the terms of their row, `(|K||x| + |f|)_c`, are rounding.
 const ROUNDING: f64 = 1e-15;
 
 /// The problem condensed on its bounded components: factored, not yet solved.
@@ -89,10 +89,10 @@ pub(super) fn finish(qp: &BoundQp, active: &[bool], answer: &mut QpSolution) {
         return;
     }
     let reaction = residual(qp, &answer.x);
-    let scale = qp.matrix.norm_inf() * largest(&answer.x) + largest(&qp.load);
     for (k, bound) in qp.bounds.iter().enumerate() {
-        let value = reaction[bound.dof as usize];
-        let presses = active[k] && value > ROUNDING * scale;
+        let dof = bound.dof as usize;
+        let value = reaction[dof];
+        let presses = active[k] && value > ROUNDING * row_size(qp, &answer.x, dof);
         answer.multipliers[k] = if presses { value } else { 0.0 };
     }
 }

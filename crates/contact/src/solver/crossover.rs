@@ -3,12 +3,14 @@
 
 use super::cholesky::Cholesky;
 use super::{QpSolution, Status};
-use crate::qp::{BoundQp, largest, residual};
+use crate::qp::{BoundQp, largest, residual, row_norm, row_size};
 
 /// Equality solves, at most.
 const ROUNDS: usize = 20;
-/// Rounding of a multiplier relative to `‖K‖_∞‖x‖_∞ + ‖f‖_∞`, and of a slack times its stiffness.
+/// Rounding of a multiplier, and of a slack times its stiffness, relative to the terms of its row, `(|K||x| + |f|)_c`.
 const ROUNDING: f64 = 1e-13;
+/// Rounding of `x` relative to its largest entry, where the rows of a tie hold nothing else.
+const NOISE: f64 = 1e2 * f64::EPSILON;
 /// Rigid motions of two bodies, at most.
 const MOTIONS: usize = 6;
 /// Corrections of each equality solve by its residual.
@@ -19,13 +21,17 @@ const REFINEMENTS: usize = 2;
 pub fn crossover(qp: &BoundQp, removed: &[bool], start: &[f64], answer: &mut QpSolution) -> Option<Vec<bool>> {
     let mut active = identified(qp, answer);
     let steps = answer.iterations;
+    let mut earlier: Vec<Vec<bool>> = Vec::new();
     for _ in 0..ROUNDS {
         answer.history.push(active.iter().filter(|a| **a).count());
         let Some(x) = held_solve(qp, removed, start, &mut active, answer) else {
             answer.status = Status::NotPositiveDefinite;
             return None;
         };
-        let next = corrected(qp, &active, &x);
+        // a set that returns flips over a tie of rounding size: then the rounding of all of x counts as such
+        let returned = earlier.contains(&active);
+        let next = corrected(qp, &active, &x, if returned { NOISE * largest(&x) } else { 0.0 });
+        earlier.push(active.clone());
         answer.x = x;
         if next == active {
             answer.status = Status::Converged { steps };
@@ -75,12 +81,12 @@ fn identified(qp: &BoundQp, answer: &QpSolution) -> Vec<bool> {
     qp.bounds.iter().zip(&answer.multipliers).map(presses).collect()
 }
 
-/// Drops the active bounds that pull, adds the violated ones; rounding changes nothing.
-fn corrected(qp: &BoundQp, active: &[bool], x: &[f64]) -> Vec<bool> {
+/// Drops the active bounds that pull, adds the violated ones; rounding changes nothing, nor does a change of `x` by `noise`.
+fn corrected(qp: &BoundQp, active: &[bool], x: &[f64], noise: f64) -> Vec<bool> {
     let reaction = residual(qp, x);
-    let tolerance = ROUNDING * (qp.matrix.norm_inf() * largest(x) + largest(&qp.load));
     let stays = |(bound, &active): (&crate::qp::Bound, &bool)| {
         let dof = bound.dof as usize;
+        let tolerance = ROUNDING * row_size(qp, x, dof) + noise * row_norm(qp, x, dof);
         if active { reaction[dof] > -tolerance } else { stiffness(qp, dof) * (x[dof] - bound.upper) > tolerance }
     };
     qp.bounds.iter().zip(active).map(stays).collect()

@@ -11,7 +11,7 @@
 //! face matrix is singular (the contact on this face does not hold the body) a proximal step takes its place; if
 //! nothing stops a motion that gains energy, there is no minimum.
 
-use super::active_set::DenseSolution;
+use super::active_set::{DenseSolution, face_minimiser};
 use super::dense::{DenseQp, Face};
 
 /// How the method ended.
@@ -37,7 +37,9 @@ pub fn monotone(qp: &DenseQp, start: &[f64], history: &mut Vec<usize>) -> Monoto
         history.push(active.iter().filter(|a| **a).count());
         let optimal = state.is_optimal(&active);
         if optimal || state.out_of_steps() {
-            let solution = DenseSolution { x: state.x, active, face, steps: state.steps };
+            // the descent ends within rounding of its steps; the minimum on the last face has that of its data alone
+            let x = if face.is_singular() { state.x } else { face_minimiser(qp, &active, &face) };
+            let solution = DenseSolution { x, active, face, steps: state.steps };
             return if optimal { Monotone::Solved(solution) } else { Monotone::StepLimit(solution) };
         }
     }

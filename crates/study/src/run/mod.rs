@@ -8,6 +8,8 @@ mod conforming;
 mod contact;
 mod contact_width;
 mod corners;
+#[cfg(test)]
+mod hard_tests;
 mod level;
 mod overlay;
 mod partial;

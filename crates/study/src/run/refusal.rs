@@ -48,7 +48,7 @@ fn judge(refusal: &Refusal) -> Verdict {
     let Refusal { message, levels, refused } = refusal;
     match message {
         Some(message) if refused == levels => {
-            let reason = format!("refused on {levels} levels, as it should be: {message}");
+            let reason = format!("refused on every level, as it should be: {message}");
             Verdict { outcome: Outcome::Pass, reasons: vec![reason] }
         }
         _ => {

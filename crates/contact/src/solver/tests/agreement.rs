@@ -14,6 +14,11 @@ pub fn interior(qp: &BoundQp) -> QpSolution {
     solve(qp, &settings)
 }
 
+fn monotone(qp: &BoundQp) -> QpSolution {
+    let settings = Settings { method: Method::Monotone, ..Settings::default() };
+    solve(qp, &settings)
+}
+
 /// Asserts that all KKT residuals are at rounding level.
 pub fn assert_optimal(qp: &BoundQp, solution: &QpSolution) {
     assert!(solution.status.is_solved(), "{:?}", solution.status);
@@ -36,7 +41,7 @@ fn solvers_agree_with_enumeration() {
         for n in [18, 24] {
             let qp = random.problem(n, m);
             let truth = enumerate(&qp);
-            for solution in [condensed(&qp), interior(&qp)] {
+            for solution in [condensed(&qp), interior(&qp), monotone(&qp)] {
                 assert_optimal(&qp, &solution);
                 assert!(distance(&solution.x, &truth) < 1e-11, "m = {m}, n = {n}");
             }

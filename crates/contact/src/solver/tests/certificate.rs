@@ -1,10 +1,11 @@
 //! The certificate sees every way of being wrong, each in its own residual.
 
 use super::agreement::condensed;
-use super::examples::{Random, enumerate};
+use super::examples::{Random, enumerate, problem};
 use super::plate::plate;
 use crate::qp::{BoundQp, Certificate, CertificateScales, algebraic_error, certify, energy, residual};
 use crate::solver::QpSolution;
+use nalgebra::{DMatrix, DVector};
 
 fn certificate(qp: &BoundQp, solution: &QpSolution) -> Certificate {
     let scales = CertificateScales { displacement: 1.0, energy: 1.0 };
@@ -30,6 +31,19 @@ fn a_solution_has_a_clean_certificate() {
     let active = solution.multipliers.iter().filter(|l| **l > 0.0).count();
     assert_eq!((c.active, c.weakly_active), (active, 0));
     assert_eq!(c.max_multiplier, solution.multipliers.iter().copied().fold(0.0, f64::max));
+}
+
+/// The force on a soft unknown is not rounding beside a stiff one, and an error in it is not hidden by the stiff one's terms.
+#[test]
+fn a_soft_unknown_counts_beside_a_stiff_one() {
+    let matrix = DMatrix::from_diagonal(&DVector::from_row_slice(&[1e16, 1.0, 1.0, 1.0]));
+    let qp = problem(&matrix, &[1e16, 0.5, 0.0, 0.0], &[(1, 0.25)]);
+    let mut solution = condensed(&qp);
+    assert_eq!(solution.multipliers, [0.25]);
+    assert!(certificate(&qp, &solution).componentwise < 1e-15);
+    solution.multipliers[0] = 0.2;
+    let c = certificate(&qp, &solution);
+    assert!(c.stationarity < 1e-16 && (c.componentwise - 0.05 / 0.75).abs() < 1e-12, "{c:?}");
 }
 
 #[test]

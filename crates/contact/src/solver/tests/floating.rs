@@ -49,6 +49,18 @@ fn a_load_that_pulls_away_has_no_minimum() {
     assert_eq!(interior(&qp).status, Status::NotPositiveDefinite);
 }
 
+/// A multiplier of 1e-13 of the load holds the chain: the interior point does not see it, the crossover must.
+#[test]
+fn a_whisper_holds_a_chain() {
+    let load = [1.0, -1.0, 0.5, -0.5, 0.25, -0.25 + 1e-13];
+    let qp = problem(&chain(6), &load, &[(0, 1.0), (5, 0.25)]);
+    let total: f64 = load.iter().sum();
+    for solution in [condensed(&qp), interior(&qp)] {
+        assert!(solution.status.is_solved(), "{:?}", solution.status);
+        assert!((solution.multipliers.iter().sum::<f64>() / total - 1.0).abs() < 1e-2, "{:?}", solution.multipliers);
+    }
+}
+
 #[test]
 fn a_limit_load_is_solved_up_to_its_motion() {
     // Σf = 0: the chain rests anywhere at or behind its stop, with no force.

@@ -54,6 +54,10 @@ type Row = (&'static str, &'static str, &'static str, &'static str);
 
 #[rustfmt::skip]
 const TABLE: &[Row] = &[
+    // second opinions, initial gaps
+    ("[levels]", "[solver]\nsecond = \"condensed\"\n\n[levels]", "\"condensed\"", "would agree with itself"),
+    ("[levels]", "[solver]\nsecond = \"multigrid\"\n\n[levels]", "\"multigrid\"", "unknown variant"),
+    ("[contact]\n", "[contact]\ninitial_gap = \"z\"\n", "z\"\nalong", "expression `z`"),
     // TOML itself
     ("id = \"small\"", "id = small\"", "small", "missing opening quote"),
     ("[contact]\n", "[contact\n", "\nalong = [[0, 0], [1, 0]]", "unclosed table"),

@@ -3,10 +3,12 @@
 use super::{Solved, Task, largest_component};
 use crate::record::SecondOpinion;
 use crate::study::Scene;
+use signorini_contact::Vec2;
 use signorini_contact::mesh::Mesh;
 use signorini_contact::problem::{Data, Discrete, Solution, Support};
 use signorini_contact::solver::{self, Settings};
 use signorini_contact::sparse::BlockMatrix;
+use std::collections::BTreeMap;
 
 /// A force below this share of the largest does not press, an opening below this share of the displacement is none.
 const CLEAR: f64 = 1e-8;
@@ -95,8 +97,27 @@ fn gaps_bulge_outwards(mesh: &Mesh) -> bool {
     })
 }
 
-/// `u_D = I_h u_D` on every side of `Γ_u`.
+/// `u_D = I_h u_D` on every side of `Γ_u`, and where it ends on `Γ_0` the normal displacement is zero there too.
 fn data_are_linear(scene: &Scene, mesh: &Mesh) -> bool {
+    is_linear_on_fixed_sides(scene, mesh) && fits_the_slides(scene, mesh)
+}
+
+fn fits_the_slides(scene: &Scene, mesh: &Mesh) -> bool {
+    let supports = scene.supports();
+    let of = |support| mesh.sides.iter().filter(|s| supports[usize::from(s.part)] == support).collect::<Vec<_>>();
+    let given: BTreeMap<u32, Vec2> = of(Support::Fixed)
+        .into_iter()
+        .flat_map(|s| s.nodes.map(|i| (i, scene.displacement(usize::from(s.part), mesh.points[i as usize]))))
+        .collect();
+    of(Support::Sliding).into_iter().all(|side| {
+        let normal = mesh.boundary_view(side).piece.normal(0.0);
+        let fits = |u: &Vec2| normal.dot(u).abs() <= 1e-12 * u.norm();
+        side.nodes.iter().filter_map(|i| given.get(i)).all(fits)
+    })
+}
+
+/// `u_D = I_h u_D` on every side of `Γ_u`.
+fn is_linear_on_fixed_sides(scene: &Scene, mesh: &Mesh) -> bool {
     let supports = scene.supports();
     let fixed = mesh.sides.iter().filter(|s| supports[usize::from(s.part)] == Support::Fixed);
     fixed.into_iter().all(|side| {

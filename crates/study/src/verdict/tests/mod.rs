@@ -5,6 +5,7 @@ use crate::record::{Ledger, Level};
 use crate::sample::{self, Noise};
 use Outcome::{Fail, Inconclusive, Pass};
 
+mod certificate;
 mod chain;
 mod doubt;
 mod kinds;
