@@ -40,6 +40,11 @@ impl<'a> Condensed<'a> {
         Self { qp, parts: Parts::new(qp) }
     }
 
+    /// The problem.
+    pub fn qp(&self) -> &BoundQp {
+        self.qp
+    }
+
     /// Active set, back-substitution, refinement.
     pub fn solve(self, settings: &Settings) -> QpSolution {
         let mut answer = QpSolution::unsolved(self.qp, Status::NotPositiveDefinite);

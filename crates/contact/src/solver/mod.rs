@@ -26,7 +26,8 @@ use crate::qp::BoundQp;
 /// Solves the problem with the method that the settings name.
 ///
 /// The time and memory of [`Method::Condensed`] are those of one sparse Cholesky factorisation, plus `16 m²` bytes and
-/// some dense factorisations for `m` bounds. An answer with an entry that is not finite never counts as solved.
+/// some dense factorisations for `m` bounds. An answer with an entry that is not finite never counts as solved,
+/// nor does one of a problem with a bound that is none: leave absent bounds out.
 pub fn solve(qp: &BoundQp, settings: &Settings) -> QpSolution {
     Prepared::new(qp, settings.method).solve(settings)
 }
@@ -48,14 +49,23 @@ impl<'a> Prepared<'a> {
         })
     }
 
+    fn qp(&self) -> &BoundQp {
+        match &self.0 {
+            Preparation::Condensed(condensed) => condensed.qp(),
+            Preparation::InteriorPoint(qp) => qp,
+        }
+    }
+
     /// Solves; [`Settings::method`] is the one that was prepared.
     pub fn solve(self, settings: &Settings) -> QpSolution {
+        let bounds_are_finite = self.qp().bounds.iter().all(|b| b.upper.is_finite());
         let mut answer = match self.0 {
             Preparation::Condensed(condensed) => condensed.solve(settings),
             Preparation::InteriorPoint(qp) => interior_point::solve(qp, settings),
         };
         let mut entries = answer.x.iter().chain(&answer.multipliers);
-        if answer.status.is_solved() && !entries.all(|v| v.is_finite()) {
+        let is_finite = entries.all(|v| v.is_finite()) && bounds_are_finite;
+        if answer.status.is_solved() && !is_finite {
             answer.status = Status::IterationLimit { steps: answer.iterations };
         }
         answer
