@@ -13,8 +13,16 @@ use crate::record::{Extrapolation, Level};
 /// Exponents `p` outside are no convergence of an energy with linear elements.
 const EXPONENTS: [f64; 2] = [0.05, 8.0];
 
+/// The limit of the energies, beside the energy of the reference, if there is one; `None` unless every discrete set is part of `K`
+/// and of that of the next level.
+pub fn of(levels: &[Level]) -> Option<Extrapolation> {
+    let chained = levels.iter().all(|l| l.inside == Some(true)) && levels.iter().skip(1).all(|l| l.nested);
+    let finest = levels.last().filter(|_| chained)?;
+    extrapolate(levels, finest.errors.energy_gap.map(|gap| finest.energy - gap))
+}
+
 /// Extrapolates from four levels or more; `None` where fewer are solved, or where the finest three do not fall like a power.
-pub fn extrapolate(levels: &[Level], reference: Option<f64>) -> Option<Extrapolation> {
+fn extrapolate(levels: &[Level], reference: Option<f64>) -> Option<Extrapolation> {
     let solved: Vec<(f64, f64)> = levels.iter().filter(|l| l.solver.solved).map(|l| (l.h, l.energy)).collect();
     let &[a, b, c, d] = solved.get(solved.len().checked_sub(4)?..)? else { return None };
     let (energy, exponent) = limit([b, c, d])?;
@@ -87,6 +95,18 @@ mod tests {
         let found = extrapolate(&levels(|h| -2.0 + 0.3 * h.powf(1.42) + 0.2 * h * h), None).unwrap();
         let off = (found.energy + 2.0).abs();
         assert!(off > 1e-6 && off < 3.0 * found.uncertainty && off > 0.1 * found.uncertainty, "{off} {found:?}");
+    }
+
+    #[test]
+    fn only_a_chain_of_sets_has_a_limit() {
+        let mut chain = levels(|h| -2.0 + 0.3 * h);
+        chain.iter_mut().for_each(|l| (l.nested, l.inside) = (l.level > 0, Some(true)));
+        assert!(of(&chain).is_some());
+        let mut outside = chain.clone();
+        outside[1].inside = Some(false);
+        assert_eq!(of(&outside), None);
+        chain[2].nested = false;
+        assert_eq!(of(&chain), None);
     }
 
     #[test]

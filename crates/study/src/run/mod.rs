@@ -4,7 +4,6 @@
 //! order of the file, so the records do not depend on the number of threads.
 
 mod check;
-mod conforming;
 mod contact;
 mod contact_width;
 mod corners;
@@ -29,6 +28,7 @@ mod zone_ledger;
 
 use crate::error::RunError;
 use crate::exact::verify;
+use crate::extrapolation;
 use crate::lemma::Lemma;
 use crate::rate;
 use crate::record::{Level, Reference, SCHEMA, StudyRecord, ZoneProfile};
@@ -286,10 +286,7 @@ fn conclude(
         gates: &case.gates,
         expected_is_asymptotic: case.expected_is_asymptotic,
     });
-    let (verdict, extrapolation) = match conforming::is(case, cells_of(case, settings))? {
-        true => (verdict::with_doubts(verdict, verdict::rising_energies(&levels)), conforming::extrapolate(&levels)),
-        false => (verdict, None),
-    };
+    let extrapolation = extrapolation::of(&levels);
     let notes = notes(case, &levels);
     let quick = settings.profile == Profile::Quick;
     Ok(StudyRecord {

@@ -25,13 +25,11 @@ pub mod exact;
 mod exclude;
 pub mod inequality;
 mod ledger;
-mod monotone;
 pub mod rate;
 pub mod splitting;
 mod status;
 
 pub use exclude::exclude_levels;
-pub use monotone::{rising_energies, with_doubts};
 pub use status::{BAD_INPUT, effective, exit_status, worst};
 
 use crate::record::{Bounds, ClaimKind, Level, Outcome, Verdict};
