@@ -5,7 +5,7 @@ use crate::run::library;
 use signorini_study::claim::catalogue::{Entry, Standing, catalogue};
 use signorini_study::study::Study;
 
-/// Prints the studies with their claims, then the claims that have no study yet.
+/// Prints the studies with their claims, then every claim with the studies that judge it.
 pub fn list() -> Result<u8, Failure> {
     let library = library()?;
     let studies: Vec<Study> =
@@ -21,19 +21,18 @@ pub fn list() -> Result<u8, Failure> {
     }
     sayln!("\nclaims:");
     for entry in catalogue() {
-        sayln!("  {:<28} {:<16} {}", entry.id, standing(entry, &studies), entry.statement);
-        if let Standing::Nothing(why) = entry.standing {
-            sayln!("  {:<28} {:<16} {why}", "", "");
-        }
+        let judges: Vec<&str> = studies.iter().filter(|s| s.claim.id == entry.id).map(|s| s.id.as_str()).collect();
+        sayln!("  {:<28} {}", entry.id, entry.statement);
+        sayln!("  {:<28}   {}", "", standing(entry, &judges));
     }
     Ok(0)
 }
 
-fn standing(entry: &Entry, studies: &[Study]) -> String {
-    match (entry.standing, studies.iter().filter(|s| s.claim.id == entry.id).count()) {
-        (Standing::NotYet, _) => "not yet".into(),
-        (Standing::Nothing(_), _) => "nothing to run:".into(),
-        (Standing::Landed, 1) => "1 study".into(),
-        (Standing::Landed, n) => format!("{n} studies"),
+/// Which studies judge the claim, or why there is nothing to run.
+fn standing(entry: &Entry, judges: &[&str]) -> String {
+    match entry.standing {
+        Standing::Nothing(why) => format!("nothing to run: {why}"),
+        Standing::Landed if judges.is_empty() => "no study here judges it".into(),
+        Standing::Landed => format!("judged by {}", judges.join(", ")),
     }
 }

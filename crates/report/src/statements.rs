@@ -61,7 +61,6 @@ fn table(rows: Vec<Row>) -> Table {
 fn unjudged(id: &str, statement: &str, standing: Standing) -> Row {
     let why = match standing {
         Standing::Landed => "not in this run".into(),
-        Standing::NotYet => "not yet".into(),
         Standing::Nothing(why) => format!("nothing to run: {why}"),
     };
     let gap = || Cell::Missing;

@@ -7,6 +7,10 @@
 use super::{Face, FaceOf, Wedge};
 use crate::material::Material;
 use crate::quadrature::GAUSS_8;
+use faer::diag::Diag;
+use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::linalg::evd::{ComputeEigenvectors, evd_real, evd_scratch};
+use faer::{Mat, Par};
 use nalgebra::{Complex, DMatrix, Matrix3};
 use std::f64::consts::FRAC_PI_2;
 
@@ -74,12 +78,29 @@ impl Pencil {
         let n = self.m0.nrows();
         // M_2 is positive definite with C: its strains are e_rr = U_r and 2e_rθ = U_θ
         let Some(factor) = self.m2.clone().cholesky() else { return Vec::new() };
-        let mut companion = DMatrix::zeros(2 * n, 2 * n);
-        companion.view_mut((0, n), (n, n)).fill_with_identity();
-        companion.view_mut((n, 0), (n, n)).copy_from(&factor.solve(&self.m0));
-        companion.view_mut((n, n), (n, n)).copy_from(&factor.solve(&self.g));
-        companion.complex_eigenvalues().iter().copied().collect()
+        let (below, beside) = (factor.solve(&self.m0), factor.solve(&self.g));
+        let companion = Mat::from_fn(2 * n, 2 * n, |i, j| match (i < n, j < n) {
+            (true, _) => f64::from(u8::from(j == i + n)),
+            (false, true) => below[(i - n, j)],
+            (false, false) => beside[(i - n, j - n)],
+        });
+        all_eigenvalues(&companion)
     }
+}
+
+/// The eigenvalues of a square matrix; none if the iteration does not end. One thread, so that the bytes never depend on their number.
+fn all_eigenvalues(matrix: &Mat<f64>) -> Vec<Complex<f64>> {
+    let n = matrix.nrows();
+    let (mut re, mut im) = (Diag::zeros(n), Diag::zeros(n));
+    let none = ComputeEigenvectors::No;
+    let scratch = evd_scratch::<f64>(n, none, none, Par::Seq, Default::default());
+    let mut memory = MemBuffer::new(scratch);
+    let stack = MemStack::new(&mut memory);
+    // faer, since nalgebra's iteration has no limit and did go on for ever on a random scene
+    let ended =
+        evd_real(matrix.as_ref(), re.as_mut(), im.as_mut(), None, None, Par::Seq, stack, Default::default()).is_ok();
+    let values = re.column_vector().iter().zip(im.column_vector().iter());
+    values.filter(|_| ended).map(|(re, im)| Complex::new(*re, *im)).collect()
 }
 
 impl Pencil {
@@ -95,7 +116,7 @@ impl Pencil {
             return None;
         }
         let l = lambda.re;
-        let svd = (&self.m0 + &self.g * l - &self.m2 * (l * l)).svd(false, true);
+        let svd = (&self.m0 + &self.g * l - &self.m2 * (l * l)).try_svd(false, true, f64::EPSILON, SVD_STEPS)?;
         let values = &svd.singular_values;
         let n = values.len();
         // sorted, largest first: a second one near zero is a second mode
@@ -122,6 +143,9 @@ impl Pencil {
         Some(contacts.iter().map(|pair| pressure(pair[0])).collect())
     }
 }
+
+/// Steps of a singular value decomposition, at most: without a limit it may go on for ever.
+const SVD_STEPS: usize = 1000;
 
 /// A second singular value below this share of the largest belongs to a second mode.
 const SEVERAL: f64 = 1e-9;

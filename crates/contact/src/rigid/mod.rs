@@ -25,6 +25,9 @@ const NULL: f64 = 1e-12;
 
 /// What the program says where it fixes a two-sided motion by itself.
 pub(crate) const MEAN_IS_ZERO: &str = "its mean is set to zero";
+/// Steps of a singular value decomposition, at most: without a limit it may go on for ever.
+const SVD_STEPS: usize = 1000;
+
 /// Motions of length 1 that open the zone by less than this leave it closed.
 const CLOSED: f64 = 1e-12;
 
@@ -249,11 +252,13 @@ fn split(free: &[Vector6<f64>], contact: &[Vector6<f64>]) -> (Vec<Vector6<f64>>,
     // Square at least, so that the decomposition spans the whole of `free`. Squared, a wedge of 1e-6 would be lost in rounding.
     let height = contact.len().max(free.len());
     let row = |i: usize, j: usize| contact.get(i).map_or(0.0, |r| r.dot(&free[j]));
-    let svd = DMatrix::from_fn(height, free.len(), row).svd(false, true);
-    let directions = svd.v_t.expect("the right singular vectors were asked for").transpose();
+    let svd = DMatrix::from_fn(height, free.len(), row).try_svd(false, true, f64::EPSILON, SVD_STEPS);
+    let Some((values, directions)) = svd.and_then(|svd| Some((svd.singular_values, svd.v_t?.transpose()))) else {
+        return (Vec::new(), free.to_vec());
+    };
     let combine = |c: DVector<f64>| (0..free.len()).fold(Vector6::zeros(), |q, j| q + c[j] * free[j]);
     let mut parts = (Vec::new(), Vec::new());
-    for (i, &value) in svd.singular_values.iter().enumerate() {
+    for (i, &value) in values.iter().enumerate() {
         let motion = combine(directions.column(i).into_owned());
         if value <= CLOSED { parts.0.push(directed(motion)) } else { parts.1.push(motion) }
     }

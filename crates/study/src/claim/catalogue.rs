@@ -19,8 +19,6 @@ use std::sync::LazyLock;
 pub enum Standing {
     /// A study can judge it.
     Landed,
-    /// Stated only; what it needs is not built.
-    NotYet,
     /// There is nothing to run of its own: why, and where its content is seen.
     Nothing(&'static str),
 }

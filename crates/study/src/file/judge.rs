@@ -36,9 +36,9 @@ fn catalogued(id: &Spanned<String>) -> Result<Claim, Fault> {
     let word = id.get_ref();
     let landed: Vec<&str> = catalogue().iter().filter(|e| e.standing == Standing::Landed).map(|e| e.id).collect();
     match find(word) {
-        Ok(entry) if entry.standing == Standing::Landed => Ok(entry.claim()),
-        Ok(_) => {
-            let message = format!("claim `{word}` is stated in the catalogue, but cannot be judged yet");
+        Ok(entry) => {
+            let Standing::Nothing(why) = entry.standing else { return Ok(entry.claim()) };
+            let message = format!("claim `{word}` has nothing to run: {why}");
             refuse(id.span(), message, format!("use one of: {}; or state it as [own_claim]", landed.join(", ")))
         }
         Err(_) => refuse(id.span(), format!("no claim `{word}` in the catalogue"), suggestion(word, &landed)),

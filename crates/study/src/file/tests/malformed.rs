@@ -86,7 +86,7 @@ const TABLE: &[Row] = &[
         "\"bottom\"\nalong = [[0, -1], [0", "two boundary parts `bottom`"),
     ("id = \"small\"", "id = \"tall\"", "\"tall\"", "id `tall` in a file named"),
     ("claim = \"theorem-3-1\"", "claim = \"theorem-3-1a\"", "\"theorem-3-1a\"", "no claim `theorem-3-1a`"),
-    ("claim = \"theorem-3-1\"", "claim = \"remark-1-2\"", "\"remark-1-2\"", "cannot be judged yet"),
+    ("claim = \"theorem-3-1\"", "claim = \"remark-1-2\"", "\"remark-1-2\"", "has nothing to run"),
     ("claim = \"theorem-3-1\"\n", "", "\"small\"", "claims nothing"),
     ("[levels]", "[exact]\nbuiltin = \"Q\"\n[levels]", "\"Q\"", "no built-in exact solution `Q`"),
     ("[levels]", "[exact]\nbuiltin = \"R\"\n[levels]", "\"R\"", "isotropic bodies only"),
