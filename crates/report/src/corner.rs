@@ -17,7 +17,7 @@ pub fn table(record: &StudyRecord) -> Table {
 }
 
 fn row(corner: &Corner) -> Row {
-    let [x, y] = corner.point.map(|c| format::significant(c, 4));
+    let [x, y] = corner.point.map(format::bound);
     let states = if corner.governing.is_some() {
         corner.describe_states()
     } else {

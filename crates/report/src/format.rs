@@ -5,7 +5,10 @@ pub const MISSING: &str = "–";
 
 /// `x` to `digits` significant digits; scientific below `1e-3` and from `1e5` on.
 pub fn significant(x: f64, digits: usize) -> String {
-    if x == 0.0 || !x.is_finite() {
+    if x == 0.0 {
+        return "0".into();
+    }
+    if !x.is_finite() {
         return format!("{x}");
     }
     let scientific = format!("{:.*e}", digits.saturating_sub(1), x);
@@ -114,6 +117,7 @@ mod tests {
             (0.00099999999, "0.0010000"),
             (-0.25, "-0.25000"),
             (0.0, "0"),
+            (-0.0, "0"),
         ] {
             assert_eq!(significant(x, 5), text, "{x}");
         }

@@ -20,6 +20,9 @@ const fn proven(term: &'static str, exponent: f64, source: &'static str) -> Prov
     Proven { term, exponent, source }
 }
 
+/// The rate of `u ∈ H²`, less rounding.
+const FULL_RATE: f64 = 1.0 - 1e-9;
+
 /// Theorem 3.1.
 const POLYGON: &[Proven] =
     &[proven("lhs", 2.0, "Theorem 3.1, (3.13)"), proven("a", 2.0, "(3.16)"), proven("b", 2.0, "(3.17), switch sides")];
@@ -55,12 +58,15 @@ const GAP: &[Proven] = &[
 ];
 
 /// What the proof behind a record's ledger claims, term by term; empty where there is no ledger, or one that belongs to
-/// no proof of the paper (a curved zone against a discrete reference).
+/// no proof of the paper (a curved zone against a discrete reference, a solution that is known not to be in `H²`).
 pub fn proven_terms(record: &StudyRecord) -> &'static [Proven] {
     let Some((level, ledger)) = record.levels.iter().find_map(|l| Some((l, l.ledger.as_ref()?))) else {
         return &[];
     };
-    if ledger.parts.contains_key("gap_interpolation") {
+    if record.bounds.expected.is_some_and(|rate| rate < FULL_RATE) {
+        // the solution is rougher than any of the proofs asks for
+        &[]
+    } else if ledger.parts.contains_key("gap_interpolation") {
         GAP
     } else if ledger.parts.contains_key("jump_minus_chord") {
         ARC
@@ -132,6 +138,9 @@ mod tests {
     #[test]
     fn no_ledger_and_no_proof_claim_nothing() {
         assert!(proven_terms(&sample::record("s", "s", sample::levels(4, |h| h))).is_empty());
+        let mut rough = record("own", &[]);
+        rough.bounds.expected = Some(0.711);
+        assert!(proven_terms(&rough).is_empty());
         let mut curved = record("own", &[]);
         assert_eq!(proven_terms(&curved), POLYGON);
         curved.levels.iter_mut().for_each(|l| l.straight_over_chord = Some(0.9));
