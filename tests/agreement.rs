@@ -11,18 +11,16 @@ use signorini_study::study::{ReferencePlan, Study};
 /// Scaled residuals of the optimality conditions.
 const CERTIFIED: f64 = 1e-10;
 
-/// The standard studies of contact problems with at most three levels; where there is a discrete reference, with two and a
-/// reference twice as fine, because the interior point is slow on a fine mesh.
+/// The standard studies of contact problems with at most two levels, because the interior point is slow on a fine mesh; where there
+/// is a discrete reference, with one twice as fine.
 fn coarse_studies() -> Vec<Study> {
     let sources = shipped().select(&[]).expect("shipped studies");
     let mut studies: Vec<Study> = sources.iter().map(|s| s.load().expect("a sound study")).collect();
     // a lemma has nothing to solve
     studies.iter_mut().for_each(|s| s.cases.retain(|c| c.scene().is_some()));
     for case in studies.iter_mut().flat_map(|s| &mut s.cases) {
-        // without a reference only certificates are asked for
-        case.quick.truncate(if case.reference == ReferencePlan::None { 2 } else { 3 });
+        case.quick.truncate(2);
         if let ReferencePlan::Overkill { quick, .. } = &mut case.reference {
-            case.quick.truncate(2);
             *quick = 2 * case.quick.last().expect("a level");
         }
     }
