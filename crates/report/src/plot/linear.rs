@@ -12,11 +12,21 @@ pub(crate) struct LinearRange {
     pub high: f64,
 }
 
+/// A negative value below this share of the largest positive one is rounding.
+const ROUNDING: f64 = 1e-9;
+
 impl LinearRange {
-    /// From zero to a little above the largest value; one without a positive value still has an extent.
-    pub fn from_zero(values: impl Iterator<Item = f64>) -> Self {
-        let largest = values.filter(|v| v.is_finite()).fold(0.0, f64::max);
-        Self { low: 0.0, high: if largest > 0.0 { 1.06 * largest } else { 1.0 } }
+    /// From zero, or a little below the smallest value if that is negative beyond rounding, to a little above the largest; one
+    /// without a value still has an extent.
+    pub fn around_zero(values: impl Iterator<Item = f64>) -> Self {
+        let finite = values.filter(|v| v.is_finite());
+        let (smallest, largest) = finite.fold((0.0, 0.0), |(a, b), v| (f64::min(a, v), f64::max(b, v)));
+        let low = if smallest < -ROUNDING * largest { smallest } else { 0.0 };
+        match (low < 0.0, largest > 0.0) {
+            (false, true) => Self { low: 0.0, high: 1.06 * largest },
+            (false, false) => Self { low: 0.0, high: 1.0 },
+            (true, _) => Self { low: low - 0.06 * (largest - low), high: largest + 0.06 * (largest - low) },
+        }
     }
 
     /// Position of `value` between the ends, 0 to 1.
@@ -92,6 +102,14 @@ mod tests {
         assert_eq!((range.exponent(), range.unit().as_str()), (-3, " (10⁻³)"));
         assert_eq!(labels(0.0, 0.0034, 500.0, 120.0), ["0", "1", "2", "3"]);
         assert_eq!(LinearRange { low: 0.0, high: 40.0 }.unit(), "");
-        assert_eq!(LinearRange::from_zero([f64::NAN, -1.0].into_iter()), LinearRange { low: 0.0, high: 1.0 });
+    }
+
+    #[test]
+    fn negative_values_have_their_place_and_rounding_has_none() {
+        let range = |values: &[f64]| LinearRange::around_zero(values.iter().copied());
+        assert_eq!(range(&[f64::NAN]), LinearRange { low: 0.0, high: 1.0 });
+        assert_eq!(range(&[2.0, -1e-12]), LinearRange { low: 0.0, high: 2.12 });
+        assert_eq!(range(&[2.0, -3.0]), LinearRange { low: -3.3, high: 2.3 });
+        assert_eq!(range(&[-1.0]), LinearRange { low: -1.06, high: 0.06 });
     }
 }

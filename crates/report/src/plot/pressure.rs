@@ -95,8 +95,7 @@ pub fn percent(x: f64) -> String {
 /// The contact with something of what lies beside it; the whole zone where that is not much more.
 fn window(zone: &ZoneProfile, edge: Option<f64>) -> (f64, f64) {
     let (first, last) = (zone.coordinate[0], zone.coordinate[zone.coordinate.len() - 1]);
-    let largest = zone.pressure.iter().copied().fold(0.0, f64::max);
-    let touching = zone.coordinate.iter().zip(&zone.pressure).filter(|(_, p)| **p > ACTIVE * largest).map(|(x, _)| *x);
+    let touching = zone.coordinate.iter().zip(touches(zone)).filter(|(_, touches)| *touches).map(|(x, _)| *x);
     let touching = touching.chain(edge);
     let (low, high) = touching.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(x), b.max(x)));
     if low >= high {
@@ -106,10 +105,15 @@ fn window(zone: &ZoneProfile, edge: Option<f64>) -> (f64, f64) {
     ((low - beside).max(first), (high + beside).min(last))
 }
 
+/// Whether each node presses or, on a bilateral part, pulls.
+fn touches(zone: &ZoneProfile) -> impl Iterator<Item = bool> {
+    let largest = zone.pressure.iter().fold(0.0, |m: f64, p| m.max(p.abs()));
+    zone.pressure.iter().map(move |p| p.abs() > ACTIVE * largest)
+}
+
 fn remark(zone: &ZoneProfile, level: &Level, window: (f64, f64)) -> String {
     let (count, last) = (zone.coordinate.len(), zone.coordinate[zone.coordinate.len() - 1]);
-    let largest = zone.pressure.iter().copied().fold(0.0, f64::max);
-    let touching = zone.pressure.iter().filter(|p| **p > ACTIVE * largest).count();
+    let touching = touches(zone).filter(|touches| *touches).count();
     let beyond =
         if window.1 < last { format!("; the zone goes on to {}", format::significant(last, 3)) } else { String::new() };
     format!("Level {}: {touching} of {count} nodes of the zone are in contact{beyond}.", level.level)

@@ -47,8 +47,8 @@ pub(crate) fn draw<DB: DrawingBackend>(chart: &ZoneChart, canvas: &Canvas<DB>) -
     let inside = |t: &Trace| -> Vec<f64> {
         t.points.iter().filter(|(x, _)| (low..=high).contains(x)).map(|(_, y)| *y).collect()
     };
-    let pressures = LinearRange::from_zero(chart.pressure.iter().flat_map(inside));
-    let gaps = LinearRange::from_zero(inside(&chart.gap).into_iter());
+    let pressures = LinearRange::around_zero(chart.pressure.iter().flat_map(inside));
+    let gaps = LinearRange::around_zero(inside(&chart.gap).into_iter());
     let top = heading(&chart.title, &chart.subtitle, &format!("contact pressure{}", pressures.unit()), canvas)?;
     let bottom = remarks(&chart.remarks, canvas)?;
     let middle = bottom - LOWER * (bottom - top);
@@ -84,6 +84,10 @@ fn axes<DB: DrawingBackend>(p: &Panel, canvas: &Canvas<DB>, edge: Option<f64>) -
         canvas.line(&[(p.left, at), (p.right, at)], Colour::Pale, 1.0, 1.0)?;
         canvas.line(&[(p.left - 7.0, at), (p.left, at)], Colour::Black, 1.0, 1.0)?;
         canvas.text(&tick.label, (p.left - 14.0, at), Anchor::Right, TEXT, Colour::Black)?;
+    }
+    if p.y.low < 0.0 {
+        let (_, zero) = p.at((p.x.low, 0.0));
+        canvas.line(&[(p.left, zero), (p.right, zero)], Colour::Black, 1.0, 1.0)?;
     }
     if let Some(x) = edge.filter(|x| (p.x.low..=p.x.high).contains(x)) {
         let (at, _) = p.at((x, 0.0));
