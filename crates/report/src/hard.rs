@@ -37,8 +37,8 @@ from the raw data, and another solver answers the same discrete problem. Scenes 
 
 const LEGEND: &str = "Largest value over the levels of a case; status, dofs and steps are those of the finest. Residuals have no \
 units: stationarity against the largest terms of the system, row by row against the terms of each row; penetration against the \
-largest displacement, complementarity against the strain energy. Weakly active: nodes that touch without pressing. Rate: of the \
-error in the energy norm, where the solution is known.";
+largest displacement, complementarity against the strain energy. Weakly active: nodes that touch without pressing. Error: on the \
+finest level in the energy norm, over the norm of the solution; rate: how it falls; both where there is a reference.";
 
 const SECOND_LEGEND: &str = "Energy: difference over half the strain energy. Displacement: largest difference of nodal values over the \
 largest value. Contact: constraints that press in one answer and are open in the other. Cancellation: how many times the terms of the \
@@ -71,6 +71,7 @@ fn certificates(records: &[&StudyRecord]) -> Table {
             ("penetration", |r| largest(r, |l| Some(l.kkt.penetration))),
             ("compl.", |r| largest(r, |l| Some(l.kkt.complementarity))),
             ("weakly active", |r| Cell::count(r.levels.iter().map(|l| l.kkt.weakly_active).max())),
+            ("error", |r| error(r).map_or(Cell::Missing, |e| Cell::text(format::significant(e, 2)))),
             ("rate", |r| {
                 Cell::rate(
                     r.rates.get("energy").filter(|f| norm::Trust::of(f) != norm::Trust::Scattered).map(|f| f.slope),
@@ -119,6 +120,12 @@ fn refusals(records: &[&StudyRecord]) -> Table {
 /// The second opinion on the finest level.
 fn second(record: &StudyRecord) -> Option<&SecondOpinion> {
     record.levels.last()?.second.as_ref()
+}
+
+/// The energy error of the finest level over the energy norm of the solution, where that is known.
+fn error(record: &StudyRecord) -> Option<f64> {
+    let finest = record.levels.last()?;
+    Some(finest.errors.energy? / finest.solution_energy.filter(|norm| *norm > 0.0)?)
 }
 
 /// To two digits: a residual is a size.

@@ -6,7 +6,7 @@
 //! ```
 //!
 //! Two intervals are measured: that of the straight line through all levels, which Student's theorem promises to cover in 95 of
-//! 100 draws where `t(h) = h`, and that of [`fit`](super::fit), whose window is chosen from the same errors. The choice prefers
+//! 100 draws where `t(h) = h`, and that of [`fit`], whose window is chosen from the same errors. The choice prefers
 //! windows with small scatter, and so it covers less. Every draw has its own sequence of random numbers: the table does not
 //! depend on the number of threads.
 

@@ -1,7 +1,7 @@
 //! An inequality that holds on every level.
 //!
 //! Three sorts: a quantity that must vanish (the claim names it, such as `penetration_l2`: Lemma 2.1), the inequality
-//! between the terms of the ledger (the claim names `ledger`), and Falk's splitting ([`splitting`](super::splitting)). Where a
+//! between the terms of the ledger (the claim names `ledger`), and Falk's splitting ([`splitting`]). Where a
 //! ledger is present it must hold in the first two.
 
 use super::{JudgeInput, fail, inconclusive, ledger, pass, splitting};
