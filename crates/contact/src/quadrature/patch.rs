@@ -40,6 +40,10 @@ impl Patch {
     }
 }
 
+/// A cut nearer to an end than this share of the piece is that end: the points of what it cuts off would round to the singular point
+/// itself.
+const SLIVER: f64 = 1e-11;
+
 impl Cubature {
     /// Calls `visit(point, weight)` at the quadrature points of a triangle with a curved side, 64 for each patch.
     pub fn curved(&self, triangle: &CurvedTriangle, visit: &mut impl FnMut(&ElementPoint, f64)) {
@@ -65,11 +69,13 @@ impl Cubature {
     /// Calls `visit(t, weight)` at quadrature points of the parameter `0 ≤ t ≤ 1` of a piece of the boundary, cut at singular
     /// points and breaks on it and graded towards them. The weights sum to 1.
     pub fn along(&self, piece: &Piece, visit: &mut impl FnMut(f64, f64)) {
-        let mut cuts = vec![0.0, 1.0];
+        let mut cuts = Vec::new();
         let size = (piece.point(1.0) - piece.point(0.0)).norm();
         cuts.extend(self.breaks.iter().flat_map(|cut| crossings(piece, cut)));
         let on = |p: &&Point| piece.distance(**p) < 1e-9 * size;
         cuts.extend(self.singular.iter().filter(on).map(|&p| piece.foot(p)));
+        cuts.retain(|t| (SLIVER..=1.0 - SLIVER).contains(t));
+        cuts.extend([0.0, 1.0]);
         cuts.sort_by(f64::total_cmp);
         for w in cuts.windows(2).filter(|w| w[1] - w[0] > SIDE_FLOOR) {
             self.graded(piece, [w[0], w[1]], visit);

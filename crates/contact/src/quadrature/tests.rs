@@ -116,3 +116,18 @@ fn weights_sum_to_the_area_however_it_is_cut() {
     let error = (integrate(&c, unit(), |_| 1.0) - 0.5).abs();
     assert!(error < 1e-13, "{error:e}");
 }
+
+/// A mesh node that stands for a singular point misses it by rounding: no point of the rule may fall on it.
+#[test]
+fn a_singular_point_next_to_the_end_of_a_piece_is_the_end() {
+    let piece = crate::geometry::Piece::Straight(Segment { a: Point::new(0.55, 0.2), b: Point::new(0.577, 0.2) });
+    let end = piece.point(1.0);
+    let singular = Point::new(end.x - 1.2e-15, 0.2);
+    let rule = Cubature { singular: vec![singular], ..Default::default() };
+    let (mut sum, mut nearest) = (0.0, f64::INFINITY);
+    rule.along(&piece, &mut |t, weight| {
+        sum += weight;
+        nearest = f64::min(nearest, (piece.point(t) - singular).norm());
+    });
+    assert!((sum - 1.0).abs() < 1e-13 && nearest > 0.0, "{sum} {nearest:e}");
+}
