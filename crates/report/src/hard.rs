@@ -137,7 +137,7 @@ fn largest(record: &StudyRecord, of: fn(&Level) -> Option<f64>) -> Cell {
 /// Whether the energy falls, or rises by rounding alone, from each level to the next whose spaces and constraints hold the coarser
 /// ones; `None` where there are no such levels.
 fn falls(record: &StudyRecord) -> Option<bool> {
-    let nested = |w: &&[Level]| w[1].nested && w[0].second.as_ref().is_some_and(|s| s.energy_falls);
+    let nested = |w: &&[Level]| w[1].nested && w[0].inside == Some(true);
     let rises = |w: &[Level]| {
         let size = w[1].solution_energy.map_or(0.0, |norm| 0.5 * norm * norm);
         w[1].energy - w[0].energy > ROUNDING * size

@@ -22,7 +22,4 @@ pub struct SecondOpinion {
     /// `Σ |x_i||K_ij||x_j| / xᵀKx`: how many times the terms of the strain energy exceed their sum. Rounding of the data moves the
     /// energy by this times the unit roundoff, whatever the solver.
     pub cancellation: f64,
-    /// Whether `K_h` lies in the constraint set of the refined mesh, so that the next nested level cannot have a higher energy:
-    /// no curved sides, data on `Γ_u` linear on every side, an initial gap nowhere below its interpolant.
-    pub energy_falls: bool,
 }

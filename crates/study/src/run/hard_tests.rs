@@ -113,7 +113,7 @@ fn between_the_nodes_a_curved_gap_is_penetrated_and_nothing_is_said_of_energies(
         assert_eq!(record.verdict.outcome, Outcome::Pass, "{:?}", record.verdict);
         let level = record.levels[0].clone();
         assert_eq!(level.active, level.constraints);
-        (level.second.unwrap().energy_falls, level.errors.penetration_l2.unwrap())
+        (level.inside == Some(true), level.errors.penetration_l2.unwrap())
     };
     assert!(pressed("0.01*x").0);
     // closed throughout, the jump is I_h g: below a concave gap, above a convex one by g'' s(h − s)/2, ‖·‖ = g'' h²/√120
@@ -121,6 +121,17 @@ fn between_the_nodes_a_curved_gap_is_penetrated_and_nothing_is_said_of_energies(
     let (falls, penetration) = pressed("-0.04*x*(1 - x)");
     let expected = 0.08 * 0.25 / 120.0_f64.sqrt();
     assert!(!falls && (penetration / expected - 1.0).abs() < 1e-9, "{penetration} {expected}");
+}
+
+/// A wall that a node is pushed along the normal of lets the side next to it follow; a node in the middle may not.
+#[test]
+fn data_that_push_against_a_slide_end_the_chain_of_energies() {
+    let inside = |top: &str| {
+        let text = column("-0.05", "0").replace("value = [\"0\", \"-0.05\"]", &format!("value = {top}"));
+        run_text(&text).unwrap().levels[0].inside
+    };
+    assert_eq!(inside("[\"0\", \"-0.04\"]"), Some(true));
+    assert_eq!(inside("[\"0.01\", \"-0.04\"]"), Some(false));
 }
 
 #[test]

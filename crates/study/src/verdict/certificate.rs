@@ -103,8 +103,9 @@ fn tolerance(second: &SecondOpinion) -> f64 {
 
 /// A nested level whose energy lies above the one before.
 fn rise([coarse, fine]: [&Level; 2]) -> Option<String> {
-    let (second, next) = (coarse.second.as_ref()?, fine.second.as_ref()?);
-    if !(fine.nested && second.energy_falls && coarse.solver.solved && fine.solver.solved) {
+    let next = fine.second.as_ref()?;
+    let holds_the_coarse = fine.nested && coarse.inside == Some(true);
+    if !(holds_the_coarse && coarse.solver.solved && fine.solver.solved) {
         return None;
     }
     let size = 0.5 * fine.solution_energy?.powi(2);

@@ -1,8 +1,10 @@
 //! Whether the discrete set is part of the continuous one, `K_h ⊂ K`, and so of that of every nested finer mesh.
 
 use crate::study::{PartCondition, Scene};
+use signorini_contact::Vec2;
 use signorini_contact::mesh::Mesh;
-use signorini_contact::problem::Data;
+use signorini_contact::problem::{Data, Support};
+use std::collections::BTreeMap;
 
 /// Prescribed displacements that miss their interpolant by more than this share of their size are not interpolated exactly.
 const ROUNDING: f64 = 1e-12;
@@ -11,10 +13,11 @@ const ROUNDING: f64 = 1e-12;
 const SAMPLES: [f64; 3] = [0.25, 0.5, 0.75];
 
 /// Whether `K_h ⊂ K` by construction: a common polygonal zone with the normals of its segments (Lemma 2.1), straight bodies, an
-/// initial gap that is no smaller between nodes than its interpolant, and prescribed displacements that are linear on every side.
+/// initial gap that is no smaller between nodes than its interpolant, and prescribed displacements that are linear on every side and
+/// do not move along the normal of `Γ_0` where they end on it.
 pub(super) fn is_inside(scene: &Scene, mesh: &Mesh) -> bool {
     let straight = mesh.direction.is_none() && !scene.domain().is_curved();
-    straight && gap_is_concave(mesh) && data_are_interpolated(scene, mesh)
+    straight && gap_is_concave(mesh) && data_are_interpolated(scene, mesh) && data_fit_the_slides(scene, mesh)
 }
 
 /// Whether the initial gap is at least its interpolant, side by side.
@@ -43,12 +46,27 @@ fn data_are_interpolated(scene: &Scene, mesh: &Mesh) -> bool {
     })
 }
 
+/// Whether the prescribed displacement of every node that `Γ_u` shares with `Γ_0` has no normal component on `Γ_0`. Else the side of
+/// `Γ_0` next to it moves along its normal, and a finer mesh forbids that.
+fn data_fit_the_slides(scene: &Scene, mesh: &Mesh) -> bool {
+    let supports = &scene.supports();
+    let of = |support| mesh.sides.iter().filter(move |s| supports[usize::from(s.part)] == support);
+    let given: BTreeMap<u32, Vec2> = of(Support::Fixed)
+        .flat_map(|s| s.nodes.map(|i| (i, scene.displacement(usize::from(s.part), mesh.points[i as usize]))))
+        .collect();
+    of(Support::Sliding).all(|side| {
+        let normal = mesh.boundary_view(side).piece.normal(0.0);
+        let fits = |u: &Vec2| normal.dot(u).abs() <= ROUNDING * u.norm();
+        side.nodes.iter().filter_map(|i| given.get(i)).all(fits)
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::family::build_level;
     use crate::sample;
-    use signorini_contact::{Point, Vec2};
+    use signorini_contact::Point;
     use std::sync::Arc;
 
     fn scene_and_mesh(study: &str, case: &str) -> (Scene, Mesh) {

@@ -3,12 +3,10 @@
 use super::{Solved, Task, largest_component};
 use crate::record::SecondOpinion;
 use crate::study::Scene;
-use signorini_contact::Vec2;
 use signorini_contact::mesh::Mesh;
-use signorini_contact::problem::{Data, Discrete, Solution, Support};
+use signorini_contact::problem::{Discrete, Solution};
 use signorini_contact::solver::{self, Settings};
 use signorini_contact::sparse::BlockMatrix;
-use std::collections::BTreeMap;
 
 /// A force below this share of the largest does not press, an opening below this share of the displacement is none.
 const CLEAR: f64 = 1e-8;
@@ -39,7 +37,6 @@ fn ask(settings: &Settings, scene: &Scene, mesh: &Mesh, solved: &Solved) -> Seco
         displacement_difference: relative(largest_component(&apart), size),
         active_difference: differently_active(discrete, [first, &second]),
         cancellation: relative(absolute_energy(&discrete.qp.matrix, &first.raw.x), first.strain_energy),
-        energy_falls: energy_falls(scene, mesh),
     }
 }
 
@@ -76,55 +73,4 @@ fn absolute_energy(matrix: &BlockMatrix, x: &[f64]) -> f64 {
         x[2 * i].abs() * sums[0] + x[2 * i + 1].abs() * sums[1]
     };
     (0..matrix.rows()).map(row).sum()
-}
-
-/// Whether every admissible function of this mesh is admissible on its refinements: supports and constraints between the
-/// nodes follow from those at the nodes.
-fn energy_falls(scene: &Scene, mesh: &Mesh) -> bool {
-    mesh.curved.sides.is_empty() && gaps_bulge_outwards(mesh) && data_are_linear(scene, mesh)
-}
-
-/// Shares of a side that a refinement puts nodes at.
-const INNER: [f64; 3] = [0.25, 0.5, 0.75];
-
-/// `g ≥ I_h g` on every side of the zone.
-fn gaps_bulge_outwards(mesh: &Mesh) -> bool {
-    (0..mesh.contact.len()).all(|side| {
-        let view = mesh.contact_view(side);
-        let [a, b] = [0.0, 1.0].map(|t| view.at(t).gap);
-        let rounding = 1e-12 * (a.abs() + b.abs());
-        INNER.iter().all(|&t| view.at(t).gap >= (1.0 - t) * a + t * b - rounding)
-    })
-}
-
-/// `u_D = I_h u_D` on every side of `Γ_u`, and where it ends on `Γ_0` the normal displacement is zero there too.
-fn data_are_linear(scene: &Scene, mesh: &Mesh) -> bool {
-    is_linear_on_fixed_sides(scene, mesh) && fits_the_slides(scene, mesh)
-}
-
-fn fits_the_slides(scene: &Scene, mesh: &Mesh) -> bool {
-    let supports = scene.supports();
-    let of = |support| mesh.sides.iter().filter(|s| supports[usize::from(s.part)] == support).collect::<Vec<_>>();
-    let given: BTreeMap<u32, Vec2> = of(Support::Fixed)
-        .into_iter()
-        .flat_map(|s| s.nodes.map(|i| (i, scene.displacement(usize::from(s.part), mesh.points[i as usize]))))
-        .collect();
-    of(Support::Sliding).into_iter().all(|side| {
-        let normal = mesh.boundary_view(side).piece.normal(0.0);
-        let fits = |u: &Vec2| normal.dot(u).abs() <= 1e-12 * u.norm();
-        side.nodes.iter().filter_map(|i| given.get(i)).all(fits)
-    })
-}
-
-/// `u_D = I_h u_D` on every side of `Γ_u`.
-fn is_linear_on_fixed_sides(scene: &Scene, mesh: &Mesh) -> bool {
-    let supports = scene.supports();
-    let fixed = mesh.sides.iter().filter(|s| supports[usize::from(s.part)] == Support::Fixed);
-    fixed.into_iter().all(|side| {
-        let at = |x| scene.displacement(usize::from(side.part), x);
-        let [p, q] = side.nodes.map(|i| mesh.points[i as usize]);
-        let (a, b) = (at(p), at(q));
-        let rounding = 1e-12 * (a.norm() + b.norm());
-        INNER.iter().all(|&t| (at((1.0 - t) * p + t * q) - ((1.0 - t) * a + t * b)).norm() <= rounding)
-    })
 }
