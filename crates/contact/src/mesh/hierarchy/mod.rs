@@ -15,6 +15,7 @@
 //! macro-triangles, `3·2^k(2^k−1)/2` in each, in the order in which its level-`k` triangles (by path) and their
 //! sides 0, 1, 2 meet them.
 
+mod interiors;
 mod template;
 
 use super::sides::{Sides, side_nodes};

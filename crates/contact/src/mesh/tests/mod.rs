@@ -12,6 +12,7 @@ mod blocks;
 mod build;
 mod curved;
 mod hierarchy;
+mod interiors;
 mod locate;
 mod quality;
 mod refusals;
