@@ -102,6 +102,8 @@ pub enum SolverArg {
     Condensed,
     /// Clarabel with crossover.
     InteriorPoint,
+    /// Nested multigrid over the levels of the family.
+    Multigrid,
 }
 
 /// Arguments of `falsify`.

@@ -86,6 +86,7 @@ fn settings(args: &RunArgs) -> RunSettings {
         solver: args.solver.map(|s| match s {
             SolverArg::Condensed => Method::Condensed,
             SolverArg::InteriorPoint => Method::InteriorPoint,
+            SolverArg::Multigrid => Method::Multigrid,
         }),
         partial: Some(args.out.join(".partial")),
     }

@@ -152,7 +152,7 @@ fn fix_components(basis: &Basis, row: usize, column: usize, block: &mut [f64; 4]
     }
 }
 
-fn product(a: &[f64; 4], b: &[f64; 4]) -> [f64; 4] {
+pub(crate) fn product(a: &[f64; 4], b: &[f64; 4]) -> [f64; 4] {
     [a[0] * b[0] + a[1] * b[2], a[0] * b[1] + a[1] * b[3], a[2] * b[0] + a[3] * b[2], a[2] * b[1] + a[3] * b[3]]
 }
 

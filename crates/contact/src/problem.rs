@@ -1,5 +1,6 @@
 //! A contact problem on a mesh: from bodies and loads to the bound-constrained problem, and back to displacements.
 
+mod levels;
 mod slide;
 
 pub use slide::SlideCondition;

@@ -47,10 +47,15 @@ pub struct BoundQp {
 
 /// The energy `½ xᵀKx − fᵀx`.
 pub fn energy(qp: &BoundQp, x: &[f64]) -> f64 {
+    energy_of(&qp.matrix, &qp.load, x)
+}
+
+/// The same of a matrix and a load.
+pub(crate) fn energy_of(matrix: &BlockMatrix, load: &[f64], x: &[f64]) -> f64 {
     let mut kx = vec![0.0; x.len()];
-    qp.matrix.apply(x, &mut kx);
+    matrix.apply(x, &mut kx);
     // Σ x_i (½ (Kx)_i − f_i)
-    let terms = x.iter().zip(&kx).zip(&qp.load);
+    let terms = x.iter().zip(&kx).zip(load);
     terms.map(|((x, kx), f)| x * (0.5 * kx - f)).sum()
 }
 

@@ -147,6 +147,47 @@ impl Basis {
         ([(pair.nodes[0], block(0)), (pair.nodes[1], block(2))], 2)
     }
 
+    /// The nodes whose displacements the unknowns of block `slot` are made of, `x_slot = Σ block · u_node`; the rows of fixed
+    /// components mean nothing.
+    pub fn inverse_slots(&self, slot: usize) -> ([Slot; 2], usize) {
+        let Some(p) = self.pair_of[slot] else {
+            let [a, b, c, d] = self.own[slot];
+            return ([(slot as u32, [a, c, b, d]), (0, [0.0; 4])], 1);
+        };
+        let pair = &self.pairs[p as usize];
+        let top = if pair.nodes[0] as usize == slot { 0 } else { 2 };
+        let block =
+            |left: usize| [pair.r[top][left], pair.r[top][left + 1], pair.r[top + 1][left], pair.r[top + 1][left + 1]];
+        ([(pair.nodes[0], block(0)), (pair.nodes[1], block(2))], 2)
+    }
+
+    /// Whether the unknowns at a node are its displacement in the plane, both free.
+    pub fn is_plain(&self, node: usize) -> bool {
+        self.pair_of[node].is_none() && self.own[node] == IDENTITY && !self.fixed[2 * node] && !self.fixed[2 * node + 1]
+    }
+
+    /// The nodes of the pairs.
+    pub fn pairs(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
+        self.pairs.iter().map(|p| p.nodes)
+    }
+
+    /// The same basis on the first `nodes` nodes, those of a coarser mesh; a pair has both of its nodes among them or none.
+    pub fn on_first(&self, nodes: usize) -> Self {
+        let is_kept = |pair: &PairBlock| pair.nodes.iter().all(|&n| (n as usize) < nodes);
+        let mut coarse = Self {
+            offset: self.offset[..nodes].to_vec(),
+            fixed: self.fixed[..2 * nodes].to_vec(),
+            held: self.held.iter().filter(|h| (h.dof as usize) < 2 * nodes).copied().collect(),
+            own: self.own[..nodes].to_vec(),
+            pair_of: vec![None; nodes],
+            pairs: self.pairs.iter().filter(|p| is_kept(p)).cloned().collect(),
+        };
+        for (p, pair) in coarse.pairs.iter().enumerate() {
+            pair.nodes.iter().for_each(|&n| coarse.pair_of[n as usize] = Some(p as u32));
+        }
+        coarse
+    }
+
     /// The nodal displacements `T x + u_D`.
     pub fn displacement(&self, x: &[f64]) -> Vec<Vec2> {
         let at = |node: usize| {
@@ -203,13 +244,15 @@ fn slots_of(nodes: [u32; 2]) -> [usize; 4] {
     [2 * a, 2 * a + 1, 2 * b, 2 * b + 1]
 }
 
+const IDENTITY: [f64; 4] = [1.0, 0.0, 0.0, 1.0];
+
 fn own_block(free: &[Vec2]) -> [f64; 4] {
     match free {
         [t] => {
             let n = tangent_of(*t);
             [t.x, n.x, t.y, n.y]
         }
-        _ => [1.0, 0.0, 0.0, 1.0],
+        _ => IDENTITY,
     }
 }
 

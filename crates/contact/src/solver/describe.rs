@@ -4,12 +4,13 @@ use super::{Method, Status};
 use std::fmt;
 
 impl Method {
-    /// `condensed`, `monotone` or `interior-point`.
+    /// `condensed`, `monotone`, `interior-point` or `multigrid`.
     pub fn name(self) -> &'static str {
         match self {
             Self::Condensed => "condensed",
             Self::Monotone => "monotone",
             Self::InteriorPoint => "interior-point",
+            Self::Multigrid => "multigrid",
         }
     }
 }

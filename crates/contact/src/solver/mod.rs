@@ -15,6 +15,7 @@ mod describe;
 mod interior_point;
 mod kernel;
 mod monotone;
+pub mod multigrid;
 mod ordering;
 mod schur;
 
@@ -22,6 +23,8 @@ mod schur;
 mod tests;
 
 use crate::qp::BoundQp;
+pub use multigrid::Accuracy;
+use multigrid::Levels;
 
 /// Solves the problem with the method that the settings name.
 ///
@@ -38,19 +41,27 @@ pub struct Prepared<'a>(Preparation<'a>);
 enum Preparation<'a> {
     Condensed(Box<condensed::Condensed<'a>>),
     InteriorPoint(&'a BoundQp),
+    Multigrid(&'a BoundQp, Levels<'a>),
 }
 
 impl<'a> Prepared<'a> {
     /// `condensed`, `monotone`: the sparse factorisation and the Schur complement. `interior-point` has nothing to prepare.
+    /// `multigrid` without coarser levels is a direct solution: see [`Prepared::with_levels`].
     pub fn new(qp: &'a BoundQp, method: Method) -> Self {
         Self(match method {
-            Method::Condensed | Method::Monotone => Preparation::Condensed(Box::new(condensed::Condensed::new(qp))),
+            Method::Condensed | Method::Monotone | Method::Multigrid => Preparation::Condensed(Box::new(condensed::Condensed::new(qp))),
             Method::InteriorPoint => Preparation::InteriorPoint(qp),
         })
     }
 
+    /// Prepares [`Method::Multigrid`]: the levels are all it needs.
+    pub fn with_levels(qp: &'a BoundQp, levels: Levels<'a>) -> Self {
+        Self(Preparation::Multigrid(qp, levels))
+    }
+
     fn qp(&self) -> &BoundQp {
         match &self.0 {
+            Preparation::Multigrid(qp, _) => qp,
             Preparation::Condensed(condensed) => condensed.qp(),
             Preparation::InteriorPoint(qp) => qp,
         }
@@ -62,6 +73,7 @@ impl<'a> Prepared<'a> {
         let mut answer = match self.0 {
             Preparation::Condensed(condensed) => condensed.solve(settings),
             Preparation::InteriorPoint(qp) => interior_point::solve(qp, settings),
+            Preparation::Multigrid(qp, levels) => multigrid::solve(qp, &levels, settings),
         };
         let mut entries = answer.x.iter().chain(&answer.multipliers);
         let is_finite = entries.all(|v| v.is_finite()) && bounds_are_finite;
@@ -81,6 +93,8 @@ pub enum Method {
     Monotone,
     /// Clarabel's interior point, then crossover.
     InteriorPoint,
+    /// Nested multigrid over the levels of a hierarchy.
+    Multigrid,
 }
 
 /// Settings of a solve.
@@ -97,11 +111,13 @@ pub struct Settings {
     /// Where a body may slide both ways: the value at which one component for each such motion is held while solving. The
     /// conditions `p(x) = 0` move the solution afterwards, so the answer does not depend on it.
     pub start_slide: f64,
+    /// Multigrid: when the iteration ends.
+    pub accuracy: Accuracy,
 }
 
 impl Default for Settings {
     fn default() -> Self {
-        Self { method: Method::Condensed, max_steps: 50, tolerance: 1e-11, crossover: true, start_slide: 0.0 }
+        Self { method: Method::Condensed, max_steps: 50, tolerance: 1e-11, crossover: true, start_slide: 0.0, accuracy: Accuracy::Floor }
     }
 }
 
@@ -149,8 +165,10 @@ pub struct QpSolution {
     pub iterations: usize,
     /// Sparse factorisations.
     pub factorizations: usize,
-    /// Number of active bounds in each active-set step, crossover rounds included.
+    /// Number of active bounds in each active-set step, crossover rounds included; in each iteration on the finest level.
     pub history: Vec<usize>,
+    /// Multigrid: work in units of one product with the finest matrix, from the coarsest level on; 0 for direct methods.
+    pub work: f64,
 }
 
 impl QpSolution {
@@ -163,6 +181,7 @@ impl QpSolution {
             iterations: 0,
             factorizations: 0,
             history: Vec::new(),
+            work: 0.0,
         }
     }
 }

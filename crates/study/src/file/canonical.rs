@@ -9,7 +9,7 @@ use super::raw::{RawBoundary, RawExact, RawField, RawPoint, RawTraces};
 use crate::claim::Claim;
 use crate::study::{Block, Case, Scene, Subject};
 use signorini_contact::mesh::blocks::EVEN;
-use signorini_contact::solver::Settings;
+use signorini_contact::solver::{Accuracy, Settings};
 use signorini_contact::{Material, Point};
 use std::fmt::Write;
 use toml::Spanned;
@@ -48,12 +48,16 @@ pub fn text(case: &Case, layer: &Layer<'_>, claim: &Claim) -> String {
     lines.0
 }
 
-/// A start of the slide other than zero is named; without one the text is the same as ever.
+/// A start of the slide other than zero and an accuracy other than the best are named; without them the text is the same as ever.
 fn solver(settings: &Settings) -> String {
-    let Settings { method, max_steps, tolerance, crossover, start_slide } = settings;
+    let Settings { method, max_steps, tolerance, crossover, start_slide, accuracy } = settings;
     let start = if *start_slide == 0.0 { String::new() } else { format!(", start_slide: {start_slide:?}") };
+    let accuracy = match accuracy {
+        Accuracy::Floor => String::new(),
+        other => format!(", accuracy: {other:?}"),
+    };
     format!(
-        "Settings {{ method: {method:?}, max_steps: {max_steps}, tolerance: {tolerance:?}, crossover: {crossover}{start} }}"
+        "Settings {{ method: {method:?}, max_steps: {max_steps}, tolerance: {tolerance:?}, crossover: {crossover}{start}{accuracy} }}"
     )
 }
 

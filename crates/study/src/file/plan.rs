@@ -230,6 +230,7 @@ fn method(name: SolverName) -> Method {
         SolverName::Condensed => Method::Condensed,
         SolverName::Monotone => Method::Monotone,
         SolverName::InteriorPoint => Method::InteriorPoint,
+        SolverName::Multigrid => Method::Multigrid,
     }
 }
 

@@ -437,6 +437,7 @@ pub enum SolverName {
     Condensed,
     Monotone,
     InteriorPoint,
+    Multigrid,
 }
 
 #[derive(Deserialize)]

@@ -27,11 +27,11 @@ use crate::reference::overkill::Overkill;
 use crate::study::{Case, ExactScene, Scene};
 use against_exact::ExactMeasurement;
 use inside::is_inside;
-use signorini_contact::mesh::Mesh;
+use signorini_contact::mesh::{Hierarchy, Mesh};
 use signorini_contact::problem::{Discrete, Problem, Solution, Support};
 use signorini_contact::qp;
 use signorini_contact::quadrature::Cubature;
-use signorini_contact::solver::{Prepared, Settings};
+use signorini_contact::solver::{Method, Prepared, Settings};
 use signorini_contact::zone::{Zone, side_length};
 use signorini_contact::{Vec2, assembly, norm};
 use splitting::Measured;
@@ -80,7 +80,7 @@ impl Task<'_> {
         let load = if self.case.projects { fine.projection_load() } else { fine.load.clone() };
         let discrete = self.scene.discretise(&problem, load, (self.constrain)(mesh))?;
         watch.lap(|t| &mut t.assembly);
-        let solved = self.solve(&problem, discrete, &mut watch);
+        let solved = self.solve(&problem, &meshed.hierarchy, discrete, &mut watch);
         let measured = ExactMeasurement {
             task: self,
             mesh,
@@ -130,7 +130,7 @@ impl Task<'_> {
             None => self.discretise(&problem)?,
         };
         watch.lap(|t| &mut t.assembly);
-        let solved = self.solve(&problem, discrete, &mut watch);
+        let solved = self.solve(&problem, &meshed.hierarchy, discrete, &mut watch);
         let mut level = self.level(index, &meshed, &solved);
         match at {
             Some(at) => {
@@ -159,7 +159,7 @@ impl Task<'_> {
         let problem = self.problem(mesh, &supports, &cubature);
         let discrete = self.discretise(&problem)?;
         watch.lap(|t| &mut t.assembly);
-        let solved = self.solve(&problem, discrete, &mut watch);
+        let solved = self.solve(&problem, &meshed.hierarchy, discrete, &mut watch);
         let level = self.level(index, &meshed, &solved);
         Ok((level, watch.finish()))
     }
@@ -175,7 +175,7 @@ impl Task<'_> {
         let problem = self.problem(hierarchy.finest(), &supports, &cubature);
         let discrete = self.discretise(&problem)?;
         watch.lap(|t| &mut t.assembly);
-        let solved = self.solve(&problem, discrete, &mut watch);
+        let solved = self.solve(&problem, &hierarchy, discrete, &mut watch);
         if !solved.solution.raw.status.is_solved() {
             return Err(RunError::Reference(format!(
                 "the reference solve ended with '{}'",
@@ -197,8 +197,11 @@ impl Task<'_> {
         Ok(self.scene.discretise(problem, load, Zone::new(problem.mesh))?)
     }
 
-    fn solve(&self, problem: &Problem, discrete: Discrete, watch: &mut Stopwatch) -> Solved {
-        let prepared = Prepared::new(&discrete.qp, self.settings.method);
+    fn solve(&self, problem: &Problem, hierarchy: &Hierarchy, discrete: Discrete, watch: &mut Stopwatch) -> Solved {
+        let prepared = match self.settings.method {
+            Method::Multigrid => Prepared::with_levels(&discrete.qp, discrete.levels(hierarchy, &problem.materials)),
+            method => Prepared::new(&discrete.qp, method),
+        };
         watch.lap(|t| &mut t.setup);
         let raw = prepared.solve(&self.settings);
         watch.lap(|t| &mut t.solve);

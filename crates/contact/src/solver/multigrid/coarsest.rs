@@ -1,0 +1,52 @@
+//! The linear problem on the coarsest level, solved directly.
+
+use super::super::cholesky::Cholesky;
+use super::super::kernel::anchors;
+use crate::qp::Bound;
+use crate::sparse::BlockMatrix;
+
+/// The factor for one set of frozen components.
+#[derive(Default)]
+pub struct Coarsest {
+    frozen: Vec<bool>,
+    /// Nothing where the matrix is not positive definite on the free components: then there is no correction.
+    factor: Option<Cholesky>,
+    factorizations: usize,
+}
+
+impl Coarsest {
+    /// `x = K⁻¹ f` with the frozen components, and one component for each motion that they leave free, held at zero. `motions`
+    /// are the rigid motions that the supports leave free.
+    pub fn solve(&mut self, matrix: &BlockMatrix, bounds: &[Bound], frozen: &[bool], motions: &[Vec<f64>], x: &mut [f64]) {
+        if self.factorizations == 0 || self.frozen != frozen {
+            self.factor(matrix, bounds, frozen, motions);
+        }
+        match &self.factor {
+            Some(factor) => factor.solve(x),
+            None => x.fill(0.0),
+        }
+    }
+
+    /// How often a factor was computed.
+    pub fn factorizations(&self) -> usize {
+        self.factorizations
+    }
+
+    fn factor(&mut self, matrix: &BlockMatrix, bounds: &[Bound], frozen: &[bool], motions: &[Vec<f64>]) {
+        self.frozen = frozen.to_vec();
+        self.factorizations += 1;
+        let held = frozen_dofs(bounds, frozen);
+        let mut removed = vec![false; matrix.dimension()];
+        held.iter().for_each(|&i| removed[i] = true);
+        let free = super::motion::free(motions, &held);
+        if let Some(anchors) = anchors(&free) {
+            anchors.into_iter().for_each(|i| removed[i] = true);
+        }
+        self.factor = Cholesky::new(matrix, &removed, &[], &[]).ok();
+    }
+}
+
+/// The components of the frozen bounds.
+pub fn frozen_dofs(bounds: &[Bound], frozen: &[bool]) -> Vec<usize> {
+    bounds.iter().zip(frozen).filter(|(_, f)| **f).map(|(b, _)| b.dof as usize).collect()
+}
