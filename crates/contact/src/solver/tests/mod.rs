@@ -3,7 +3,7 @@
 mod agreement;
 mod certificate;
 mod cycle;
-mod examples;
+pub mod examples;
 mod factor;
 mod floating;
 mod plate;
