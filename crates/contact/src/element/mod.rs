@@ -40,14 +40,14 @@ pub fn linear_strain(gradients: &[Vec2; 3], u: [Vec2; 3]) -> Sym2 {
 /// node `i` to the strain `(ε_11, ε_22, 2ε_12)`.
 pub fn stiffness_block(material: &Material, area: f64, gi: Vec2, gj: Vec2) -> [f64; 4] {
     let c = material.matrix();
-    let bi = [[gi.x, 0.0], [0.0, gi.y], [gi.y, gi.x]];
-    let bj = [[gj.x, 0.0], [0.0, gj.y], [gj.y, gj.x]];
     std::array::from_fn(|entry| {
         let (p, q) = (entry / 2, entry % 2);
+        // Column p of B_i has the two entries ∂_p φ_i in row p and ∂_{1−p} φ_i in the row of the shear.
+        let column = |g: Vec2, p: usize| [(p, g[p]), (2, g[1 - p])];
         let mut sum = 0.0;
-        for (k, ck) in c.iter().enumerate() {
-            for (l, ckl) in ck.iter().enumerate() {
-                sum += bi[k][p] * ckl * bj[l][q];
+        for (k, b) in column(gi, p) {
+            for (l, d) in column(gj, q) {
+                sum += b * c[k][l] * d;
             }
         }
         area * sum
