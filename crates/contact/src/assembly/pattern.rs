@@ -24,10 +24,7 @@ pub(super) struct Rows<'a> {
 impl Rows<'_> {
     /// The nodes whose displacement depends on a slot: itself, and its partner in a pair.
     pub fn nodes_of(&self, slot: usize) -> impl Iterator<Item = usize> + use<> {
-        let partner = match self.basis.slots(slot) {
-            ([(a, _), (b, _)], 2) => Some(if a as usize == slot { b } else { a }),
-            _ => None,
-        };
+        let partner = self.basis.pair_nodes(slot).map(|[a, b]| if a as usize == slot { b } else { a });
         std::iter::once(slot).chain(partner.map(|p| p as usize))
     }
 

@@ -1,9 +1,9 @@
 //! `TᵀAT`, row by row into its final place.
 
-use super::pattern::{CHUNK, Rows};
+use super::pattern::{CHUNK, Pattern, Rows};
 use super::surroundings::Surroundings;
 use crate::basis::{Basis, Slot};
-use crate::element::{gradients, stiffness_block};
+use crate::element::{gradients, stiffness_row};
 use crate::material::Material;
 use crate::mesh::Mesh;
 use crate::sparse::BlockMatrix;
@@ -15,17 +15,10 @@ pub fn stiffness(mesh: &Mesh, materials: &[Material; 2], basis: &Basis) -> Block
     let pattern = rows.pattern();
     let mut blocks = vec![[0.0; 4]; pattern.columns.len()];
     let tasks: Vec<(usize, &mut [[f64; 4]])> = split(&mut blocks, &pattern.row_start).collect();
-    tasks.into_par_iter().for_each(|(first, blocks)| {
-        let mut rest = blocks;
-        for slot in first..(first + CHUNK).min(basis.nodes()) {
-            let columns = &pattern.columns[pattern.row_start[slot]..pattern.row_start[slot + 1]];
-            let (row, after) = rest.split_at_mut(columns.len());
-            rest = after;
-            rows.gather(materials, slot, columns, row);
-        }
-    });
+    let fill = |(first, blocks)| rows.fill(materials, &pattern, first, blocks);
+    let largest = tasks.into_par_iter().map(fill).reduce(|| 0.0, f64::max);
     let mut matrix = BlockMatrix { row_start: pattern.row_start, columns: pattern.columns, blocks };
-    fill_fixed(&mut matrix, basis);
+    fill_fixed(&mut matrix, basis, if largest > 0.0 { largest } else { 1.0 });
     matrix
 }
 
@@ -42,20 +35,48 @@ fn split<'a>(blocks: &'a mut [[f64; 4]], row_start: &[usize]) -> impl Iterator<I
 }
 
 impl Rows<'_> {
+    /// Computes `CHUNK` rows from `first` on; their largest diagonal entry of a component that is not fixed.
+    fn fill(&self, materials: &[Material; 2], pattern: &Pattern, first: usize, blocks: &mut [[f64; 4]]) -> f64 {
+        let (mut rest, mut largest) = (blocks, 0.0);
+        let mut row = Vec::with_capacity(16);
+        for slot in first..(first + CHUNK).min(self.basis.nodes()) {
+            let columns = &pattern.columns[pattern.row_start[slot]..pattern.row_start[slot + 1]];
+            row.clear();
+            row.resize(columns.len(), [0.0; 4]);
+            if std::iter::once(&(slot as u32)).chain(columns).all(|&j| self.basis.is_plain(j as usize)) {
+                self.gather_plain(materials, slot, columns, &mut row);
+            } else {
+                self.gather(materials, slot, columns, &mut row);
+            }
+            if let Some(k) = columns.iter().position(|&j| j as usize == slot) {
+                // A fixed component has a zero here.
+                largest = row[k][0].max(row[k][3]).max(largest);
+            }
+            let (place, after) = rest.split_at_mut(columns.len());
+            place.copy_from_slice(&row);
+            rest = after;
+        }
+        largest
+    }
+
+    /// A row whose node and all of its neighbours are plain: `Σ k_ij` over the elements around node `i`.
+    fn gather_plain(&self, materials: &[Material; 2], node: usize, columns: &[u32], row: &mut [[f64; 4]]) {
+        for (t, corner) in self.around.of(node) {
+            let blocks = element_row(self.mesh, &materials[self.mesh.body(t).index()], t, corner);
+            for (block, &j) in blocks.iter().zip(&self.mesh.triangles[t]) {
+                add_block(columns, row, j, block);
+            }
+        }
+    }
+
     /// Row `slot` of `TᵀAT`: `Σ T_i,slotᵀ k_ij T_j,s` over the elements around the nodes `i` that depend on the slot.
     fn gather(&self, materials: &[Material; 2], slot: usize, columns: &[u32], row: &mut [[f64; 4]]) {
         let (mesh, basis) = (self.mesh, self.basis);
         for node in self.nodes_of(slot) {
             let left = block_of_slot(basis, node, slot);
             for (t, corner) in self.around.of(node) {
-                let corners = mesh.triangles[t];
                 let blocks = element_row(mesh, &materials[mesh.body(t).index()], t, corner);
-                let all_plain = basis.is_plain(node) && corners.iter().all(|&j| basis.is_plain(j as usize));
-                for (block, &j) in blocks.iter().zip(&corners) {
-                    if all_plain {
-                        add_block(columns, row, j, block);
-                        continue;
-                    }
+                for (block, &j) in blocks.iter().zip(&mesh.triangles[t]) {
                     let left_block = transposed_product(&left, block);
                     let (slots, n) = basis.slots(j as usize);
                     for (column, right) in &slots[..n] {
@@ -64,22 +85,12 @@ impl Rows<'_> {
                 }
             }
         }
-        if basis.is_plain(slot) && columns.iter().all(|&j| basis.is_plain(j as usize)) {
-            return;
-        }
         columns.iter().zip(row).for_each(|(&column, block)| fix_components(basis, slot, column as usize, block));
     }
 }
 
 /// The diagonal entries of the fixed components.
-fn fill_fixed(matrix: &mut BlockMatrix, basis: &Basis) {
-    let largest_of = |row: usize| {
-        let block = matrix.diagonal_block(row);
-        (0..2).filter(|i| !basis.fixed[2 * row + i]).map(|i| block[3 * i]).fold(0.0, f64::max)
-    };
-    let rows = (0..matrix.rows()).into_par_iter().with_min_len(CHUNK);
-    let largest = rows.map(largest_of).reduce(|| 0.0, f64::max);
-    let entry = if largest > 0.0 { largest } else { 1.0 };
+fn fill_fixed(matrix: &mut BlockMatrix, basis: &Basis, entry: f64) {
     for row in (0..matrix.rows()).filter(|row| basis.fixed[2 * row] || basis.fixed[2 * row + 1]) {
         let stored = matrix.row_start[row]..matrix.row_start[row + 1];
         let Some(k) = stored.into_iter().find(|&k| matrix.columns[k] as usize == row) else { continue };
@@ -95,7 +106,7 @@ fn element_row(mesh: &Mesh, material: &Material, t: usize, corner: usize) -> [[f
         return curved.stiffness_row(material, corner);
     }
     let (g, area) = gradients(mesh.corners(t));
-    [0, 1, 2].map(|k| stiffness_block(material, area, g[corner], g[k]))
+    stiffness_row(material, area, &g, corner)
 }
 
 fn block_of_slot(basis: &Basis, node: usize, slot: usize) -> [f64; 4] {

@@ -23,6 +23,11 @@ impl Basis {
         self.pairs.iter().map(|p| p.nodes)
     }
 
+    /// The two nodes of the pair that a node belongs to, if it does.
+    pub fn pair_nodes(&self, node: usize) -> Option<[u32; 2]> {
+        self.pair(node).map(|p| p.nodes)
+    }
+
     /// `u_D` at a node.
     pub fn offset(&self, node: usize) -> Vec2 {
         self.offset.get(&(node as u32)).copied().unwrap_or_default()
