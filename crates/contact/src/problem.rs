@@ -5,7 +5,7 @@ mod slide;
 
 pub use slide::SlideCondition;
 
-use crate::basis::{Basis, BoundOrigin, NodeSupport};
+use crate::basis::{Basis, BoundOrigin, NodeSupport, NodeSupports};
 pub use crate::data::{Data, Support, Unloaded};
 use crate::geometry::{Vec2, cross, tangent_of};
 use crate::material::Material;
@@ -15,6 +15,7 @@ use crate::quadrature::Cubature;
 use crate::solver::{self, QpSolution};
 use crate::zone::{ContactPair, Zone};
 use crate::{Error, assembly, norm, rigid};
+use std::collections::BTreeSet;
 
 /// Two bodies in contact, discretised on a mesh.
 pub struct Problem<'a> {
@@ -82,23 +83,31 @@ impl Problem<'_> {
         let mut basis = Basis::new(&nodes);
         let mut tied = Vec::with_capacity(zone.pairs.len());
         for (i, pair) in zone.pairs.iter().enumerate() {
-            tied.extend(basis.tie(i, pair, [&nodes[pair.first as usize], &nodes[pair.second as usize]])?);
+            tied.extend(basis.tie(i, pair, [nodes.of(pair.first), nodes.of(pair.second)])?);
         }
         tied.sort_by_key(|(bound, _)| bound.dof);
         let balance = rigid::balance(self.mesh, &nodes, &zone, &load)?;
-        let matrix = assembly::stiffness(self.mesh, &self.materials, &basis);
-        let reaction = assembly::internal_forces(self.mesh, &self.materials, &basis.offset);
-        let net: Vec<Vec2> = load.iter().zip(&reaction).map(|(f, r)| f - r).collect();
         let mut qp = BoundQp {
-            matrix,
-            load: basis.force(&net),
+            load: self.net_load(&basis, &load),
             bounds: tied.iter().map(|(bound, _)| *bound).collect(),
             kernel: balance.kernel.iter().map(|y| basis.coordinates(y)).collect(),
             conditions: balance.kernel.iter().map(|y| mean_condition(self.mesh, &basis, y)).collect(),
+            ..Default::default()
         };
+        drop(balance.kernel);
+        // Last, when all temporaries are gone: it is the largest piece.
+        qp.matrix = assembly::stiffness(self.mesh, &self.materials, &basis);
         qp::remove_imbalance(&mut qp);
         let warnings = zone.warnings.iter().cloned().chain(balance.remarks).collect();
         Ok(Discrete { basis, zone, qp, origins: tied.into_iter().map(|(_, o)| o).collect(), load, warnings })
+    }
+
+    /// `Tᵀ(f − A u_D)`.
+    fn net_load(&self, basis: &Basis, load: &[Vec2]) -> Vec<f64> {
+        let Some(offsets) = basis.offsets() else { return basis.force(load) };
+        let mut net = assembly::internal_forces(self.mesh, &self.materials, &offsets);
+        net.iter_mut().zip(load).for_each(|(r, f)| *r = f - *r);
+        basis.force(&net)
     }
 
     /// Assembles and solves.
@@ -135,48 +144,51 @@ impl Problem<'_> {
     fn rounding_of_data(&self) -> f64 {
         let mut largest = 0.0_f64;
         self.each_side_end(Support::Fixed, |node, _, part| {
-            largest = largest.max(self.data.displacement(part, self.mesh.points[node]).norm());
+            largest = largest.max(self.data.displacement(part, self.mesh.points[node as usize]).norm());
         });
         let extent = self.mesh.points.iter().map(|x| x.norm()).fold(0.0, f64::max);
         1e-10 * largest + 1e-14 * extent
     }
 
     /// What each node may do, from the parts that its sides belong to.
-    fn node_supports(&self) -> Result<Vec<NodeSupport>, Error> {
-        let mut nodes = vec![NodeSupport::unsupported(); self.mesh.points.len()];
-        self.each_side_end(Support::Sliding, |node, normal, _| slide(&mut nodes[node], normal));
-        let mut fixed = vec![false; nodes.len()];
+    fn node_supports(&self) -> Result<NodeSupports, Error> {
+        let mut nodes = NodeSupports::new(self.mesh.points.len());
+        self.each_side_end(Support::Sliding, |node, normal, _| slide(nodes.of_mut(node), normal));
+        let mut fixed = BTreeSet::new();
         let mut clash = None;
         let rounding = self.rounding_of_data();
         self.each_side_end(Support::Fixed, |node, _, part| {
-            let offset = self.data.displacement(part, self.mesh.points[node]);
-            if fixed[node] && (offset - nodes[node].offset).norm() > rounding {
-                clash.get_or_insert((node, offset, nodes[node].offset));
+            let offset = self.data.displacement(part, self.mesh.points[node as usize]);
+            let support = nodes.of_mut(node);
+            if !fixed.insert(node) && (offset - support.offset).norm() > rounding {
+                clash.get_or_insert((node, offset, support.offset));
             }
-            (nodes[node], fixed[node]) = (NodeSupport { free: Vec::new(), offset }, true);
+            *support = NodeSupport { free: Vec::new(), offset };
         });
         if let Some((node, a, b)) = clash {
-            let x = self.mesh.points[node];
+            let x = self.mesh.points[node as usize];
             return Err(Error::Boundary(format!(
                 "node {node} at ({}, {}) is prescribed ({}, {}) by one fixed part and ({}, {}) by another; make the data agree there",
                 x.x, x.y, a.x, a.y, b.x, b.y
             )));
         }
-        match nodes.iter().position(|n| !(n.offset.x.is_finite() && n.offset.y.is_finite())) {
-            None => Ok(nodes),
-            Some(i) => Err(Error::Load(format!(
+        let bad = nodes.held().find(|(_, s)| !(s.offset.x.is_finite() && s.offset.y.is_finite()));
+        if let Some((node, support)) = bad {
+            let x = self.mesh.points[node as usize];
+            return Err(Error::Load(format!(
                 "the prescribed displacement at ({}, {}) is ({}, {}), which is no number; check its expression there",
-                self.mesh.points[i].x, self.mesh.points[i].y, nodes[i].offset.x, nodes[i].offset.y
-            ))),
+                x.x, x.y, support.offset.x, support.offset.y
+            )));
         }
+        Ok(nodes)
     }
 
     /// Visits both ends of every side whose part has this support: node, outward normal, part.
-    fn each_side_end(&self, support: Support, mut visit: impl FnMut(usize, Vec2, usize)) {
+    fn each_side_end(&self, support: Support, mut visit: impl FnMut(u32, Vec2, usize)) {
         for side in self.mesh.sides.iter().filter(|s| self.supports[s.part as usize] == support) {
             let piece = self.mesh.boundary_view(side).piece;
             for (node, t) in side.nodes.into_iter().zip([0.0, 1.0]) {
-                visit(node as usize, piece.normal(t), side.part as usize);
+                visit(node, piece.normal(t), side.part as usize);
             }
         }
     }

@@ -124,7 +124,7 @@ fn scenes() -> Vec<Scene> {
         scene("free to turn", flat(), FLOATING, |x| Vec2::new(0.0, -0.1 * (x.x - 0.2)), steel),
         scene("in a notch", bodies(4, 0.5), FLOATING, |x| Vec2::new(0.01, -0.1 - 0.05 * x.x), steel),
         scene("on a ridge", bodies(4, -0.5), GUIDED, pressing, steel),
-        scene("in a hollow", hollow(4), FLOATING, |x| Vec2::new(0.02, -0.1 * x.x), steel),
+        scene("in a hollow", hollow(4), FLOATING, |_| Vec2::new(0.0, -0.1), steel),
         scene("guided in a hollow", hollow(4), GUIDED, bending, steel),
         Scene {
             bilateral: &[1],
@@ -174,8 +174,9 @@ fn at_the_floor_it_is_the_direct_solution() {
             let name = scene.name;
             assert!(fast.status.is_solved() && fast.iterations > 1, "{name}: {}", fast.status);
             let scale = half_strain_energy(discrete, &direct.x);
-            let moved = (qp::energy(&discrete.qp, &fast.x) - qp::energy(&discrete.qp, &direct.x)).abs();
-            assert!(moved <= 1e-12 * scale, "{name}: {moved:e} of {scale:e}");
+            let apart: Vec<f64> = fast.x.iter().zip(&direct.x).map(|(a, b)| a - b).collect();
+            let distance = half_strain_energy(discrete, &apart);
+            assert!(distance <= 1e-16 * scale, "{name}: {distance:e} of {scale:e}");
             let size = direct.x.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
             let apart = fast.x.iter().zip(&direct.x).fold(0.0, |m: f64, (a, b)| m.max((a - b).abs()));
             assert!(apart <= 1e-8 * size, "{name}: {apart:e} of {size:e}");

@@ -14,29 +14,18 @@
 //! A bilateral constraint `n·d = g` is an unknown by the same rule, and then fixed: `u_D` takes its value, `x` has zero there.
 
 mod choose;
+mod maps;
+mod supports;
 #[cfg(test)]
 mod tests;
+
+pub use supports::{NodeSupport, NodeSupports};
 
 use crate::geometry::{Vec2, tangent_of};
 use crate::zone::ContactPair;
 use crate::{Error, qp::Bound};
 use choose::choose_basis;
-
-/// What a node may do: the orthonormal directions left free and the prescribed displacement.
-#[derive(Clone, Debug, PartialEq)]
-pub struct NodeSupport {
-    /// Free directions: two, one (on `Γ_0`) or none (on `Γ_u`).
-    pub free: Vec<Vec2>,
-    /// The prescribed part `u_D`, zero unless on `Γ_u`.
-    pub offset: Vec2,
-}
-
-impl NodeSupport {
-    /// A node that is not held.
-    pub fn unsupported() -> Self {
-        Self { free: vec![Vec2::x(), Vec2::y()], offset: Vec2::zeros() }
-    }
-}
+use std::collections::BTreeMap;
 
 /// A bound with the constraint it came from.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -57,18 +46,23 @@ pub struct Held {
 }
 
 /// `u = T x + u_D`, with its left inverse on the free components.
+///
+/// Almost every node is *plain*: its unknowns are its displacement. Blocks and offsets are kept for the others alone, so a
+/// basis takes 2½ bytes per node and what the supports and the zone add.
 #[derive(Clone, Debug)]
 pub struct Basis {
-    /// For each node, `u_D`: prescribed displacements, and the gaps of bilateral constraints.
-    pub offset: Vec<Vec2>,
     /// For each scalar component of `x`, whether it is fixed at zero.
     pub fixed: Vec<bool>,
     /// The bilateral constraints, in the order of the pairs.
     pub held: Vec<Held>,
-    /// For each node, its own 2×2 block of `T`, by rows.
-    own: Vec<[f64; 4]>,
-    /// For each node, its pair if it has one.
-    pair_of: Vec<Option<u32>>,
+    /// For each node, whether it has an entry in one of the maps below.
+    special: Vec<bool>,
+    /// `u_D` where it does not vanish: prescribed displacements, and the gaps of bilateral constraints.
+    offset: BTreeMap<u32, Vec2>,
+    /// A node's own 2×2 block of `T`, by rows, where it is not the identity.
+    own: BTreeMap<u32, [f64; 4]>,
+    /// The pair of a node that has one.
+    pair_of: BTreeMap<u32, u32>,
     /// The blocks of the pairs.
     pairs: Vec<PairBlock>,
 }
@@ -87,11 +81,30 @@ pub type Slot = (u32, [f64; 4]);
 
 impl Basis {
     /// The basis of single nodes alone: rotated on `Γ_0`, the identity elsewhere.
-    pub fn new(supports: &[NodeSupport]) -> Self {
-        let own = supports.iter().map(|s| own_block(&s.free)).collect();
-        let fixed = supports.iter().flat_map(|s| [s.free.is_empty(), s.free.len() < 2]).collect();
-        let offset = supports.iter().map(|s| s.offset).collect();
-        Self { offset, fixed, held: Vec::new(), own, pair_of: vec![None; supports.len()], pairs: Vec::new() }
+    pub fn new(supports: &NodeSupports) -> Self {
+        let nodes = supports.nodes();
+        let mut basis = Self {
+            fixed: vec![false; 2 * nodes],
+            held: Vec::new(),
+            special: vec![false; nodes],
+            offset: BTreeMap::new(),
+            own: BTreeMap::new(),
+            pair_of: BTreeMap::new(),
+            pairs: Vec::new(),
+        };
+        for (node, support) in supports.held() {
+            let (i, free) = (node as usize, &support.free);
+            (basis.fixed[2 * i], basis.fixed[2 * i + 1]) = (free.is_empty(), free.len() < 2);
+            basis.special[i] = true;
+            if let [t] = free.as_slice() {
+                let n = tangent_of(*t);
+                basis.own.insert(node, [t.x, n.x, t.y, n.y]);
+            }
+            if support.offset != Vec2::zeros() {
+                basis.offset.insert(node, support.offset);
+            }
+        }
+        basis
     }
 
     /// Ties a contact pair: its unilateral constraints become upper bounds on components of `x`, returned with their
@@ -111,7 +124,8 @@ impl Basis {
             self.fixed[dof] = k >= chosen.rows.nrows();
         }
         for node in nodes {
-            self.pair_of[node as usize] = Some(self.pairs.len() as u32);
+            self.pair_of.insert(node, self.pairs.len() as u32);
+            self.special[node as usize] = true;
         }
         let block = chosen.block(nodes, supports)?;
         let dofs = slots_of(nodes);
@@ -120,7 +134,7 @@ impl Basis {
             self.held.push(Held { dof: dofs[row] as u32, origin: BoundOrigin { pair: index, constraint } });
             // u_D += T e_c g
             for (node, top) in nodes.into_iter().zip([0, 2]) {
-                self.offset[node as usize] += value * Vec2::new(block.t[top][row], block.t[top + 1][row]);
+                *self.offset.entry(node).or_default() += value * Vec2::new(block.t[top][row], block.t[top + 1][row]);
             }
         }
         self.pairs.push(block);
@@ -129,137 +143,10 @@ impl Basis {
         };
         Ok(chosen.bounds.iter().map(bound).collect())
     }
-
-    /// Number of nodes.
-    pub fn nodes(&self) -> usize {
-        self.own.len()
-    }
-
-    /// The blocks of `x` that the displacement of `node` depends on: one, or two in a pair.
-    pub fn slots(&self, node: usize) -> ([Slot; 2], usize) {
-        let Some(p) = self.pair_of[node] else {
-            return ([(node as u32, self.own[node]), (0, [0.0; 4])], 1);
-        };
-        let pair = &self.pairs[p as usize];
-        let top = if pair.nodes[0] as usize == node { 0 } else { 2 };
-        let block =
-            |left: usize| [pair.t[top][left], pair.t[top][left + 1], pair.t[top + 1][left], pair.t[top + 1][left + 1]];
-        ([(pair.nodes[0], block(0)), (pair.nodes[1], block(2))], 2)
-    }
-
-    /// The nodes whose displacements the unknowns of block `slot` are made of, `x_slot = Σ block · u_node`; the rows of fixed
-    /// components mean nothing.
-    pub fn inverse_slots(&self, slot: usize) -> ([Slot; 2], usize) {
-        let Some(p) = self.pair_of[slot] else {
-            let [a, b, c, d] = self.own[slot];
-            return ([(slot as u32, [a, c, b, d]), (0, [0.0; 4])], 1);
-        };
-        let pair = &self.pairs[p as usize];
-        let top = if pair.nodes[0] as usize == slot { 0 } else { 2 };
-        let block =
-            |left: usize| [pair.r[top][left], pair.r[top][left + 1], pair.r[top + 1][left], pair.r[top + 1][left + 1]];
-        ([(pair.nodes[0], block(0)), (pair.nodes[1], block(2))], 2)
-    }
-
-    /// Whether the unknowns at a node are its displacement in the plane, both free.
-    pub fn is_plain(&self, node: usize) -> bool {
-        self.pair_of[node].is_none() && self.own[node] == IDENTITY && !self.fixed[2 * node] && !self.fixed[2 * node + 1]
-    }
-
-    /// The nodes of the pairs.
-    pub fn pairs(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
-        self.pairs.iter().map(|p| p.nodes)
-    }
-
-    /// The same basis on the first `nodes` nodes, those of a coarser mesh; a pair has both of its nodes among them or none.
-    pub fn on_first(&self, nodes: usize) -> Self {
-        let is_kept = |pair: &PairBlock| pair.nodes.iter().all(|&n| (n as usize) < nodes);
-        let mut coarse = Self {
-            offset: self.offset[..nodes].to_vec(),
-            fixed: self.fixed[..2 * nodes].to_vec(),
-            held: self.held.iter().filter(|h| (h.dof as usize) < 2 * nodes).copied().collect(),
-            own: self.own[..nodes].to_vec(),
-            pair_of: vec![None; nodes],
-            pairs: self.pairs.iter().filter(|p| is_kept(p)).cloned().collect(),
-        };
-        for (p, pair) in coarse.pairs.iter().enumerate() {
-            pair.nodes.iter().for_each(|&n| coarse.pair_of[n as usize] = Some(p as u32));
-        }
-        coarse
-    }
-
-    /// The nodal displacements `T x + u_D`.
-    pub fn displacement(&self, x: &[f64]) -> Vec<Vec2> {
-        let at = |node: usize| {
-            let (slots, n) = self.slots(node);
-            slots[..n].iter().fold(self.offset[node], |u, (slot, b)| u + times(b, block_of(x, *slot)))
-        };
-        (0..self.nodes()).map(at).collect()
-    }
-
-    /// `Tᵀ r` for a nodal force `r`, zero in the fixed components.
-    pub fn force(&self, r: &[Vec2]) -> Vec<f64> {
-        let mut x = self.full_force(r);
-        x.iter_mut().zip(&self.fixed).filter(|(_, fixed)| **fixed).for_each(|(x, _)| *x = 0.0);
-        x
-    }
-
-    /// `Tᵀ r` in all components: in a fixed one, what holds it.
-    pub fn full_force(&self, r: &[Vec2]) -> Vec<f64> {
-        let mut x = vec![0.0; 2 * self.nodes()];
-        for (node, r) in r.iter().enumerate() {
-            let (slots, n) = self.slots(node);
-            for (slot, b) in &slots[..n] {
-                let s = *slot as usize;
-                x[2 * s] += b[0] * r.x + b[2] * r.y;
-                x[2 * s + 1] += b[1] * r.x + b[3] * r.y;
-            }
-        }
-        x
-    }
-
-    /// The components `x` with `T x = v`, for a nodal field `v` that respects the supports with zero data.
-    pub fn coordinates(&self, v: &[Vec2]) -> Vec<f64> {
-        let mut x = vec![0.0; 2 * self.nodes()];
-        for (node, b) in self.own.iter().enumerate().filter(|(node, _)| self.pair_of[*node].is_none()) {
-            // The own block is orthogonal (columns of fixed components included), so its inverse is its transpose.
-            x[2 * node] = b[0] * v[node].x + b[2] * v[node].y;
-            x[2 * node + 1] = b[1] * v[node].x + b[3] * v[node].y;
-        }
-        for pair in &self.pairs {
-            let [a, b] = pair.nodes.map(|i| v[i as usize]);
-            let u = [a.x, a.y, b.x, b.y];
-            for (row, dof) in pair.r.iter().zip(slots_of(pair.nodes)) {
-                x[dof] = (0..4).map(|k| row[k] * u[k]).sum();
-            }
-        }
-        x.iter_mut().zip(&self.fixed).filter(|(_, fixed)| **fixed).for_each(|(x, _)| *x = 0.0);
-        x
-    }
 }
 
 /// The scalar components of `x` that belong to a pair: node `a`'s, then node `b`'s.
 fn slots_of(nodes: [u32; 2]) -> [usize; 4] {
     let [a, b] = nodes.map(|i| i as usize);
     [2 * a, 2 * a + 1, 2 * b, 2 * b + 1]
-}
-
-const IDENTITY: [f64; 4] = [1.0, 0.0, 0.0, 1.0];
-
-fn own_block(free: &[Vec2]) -> [f64; 4] {
-    match free {
-        [t] => {
-            let n = tangent_of(*t);
-            [t.x, n.x, t.y, n.y]
-        }
-        _ => IDENTITY,
-    }
-}
-
-fn times(b: &[f64; 4], x: Vec2) -> Vec2 {
-    Vec2::new(b[0] * x.x + b[1] * x.y, b[2] * x.x + b[3] * x.y)
-}
-
-fn block_of(x: &[f64], slot: u32) -> Vec2 {
-    Vec2::new(x[2 * slot as usize], x[2 * slot as usize + 1])
 }

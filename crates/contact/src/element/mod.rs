@@ -39,19 +39,32 @@ pub fn linear_strain(gradients: &[Vec2; 3], u: [Vec2; 3]) -> Sym2 {
 /// The 2×2 block `k_ij = |T| B_iᵀ C B_j` of the element stiffness, by rows; `B_i` takes the displacement of
 /// node `i` to the strain `(ε_11, ε_22, 2ε_12)`.
 pub fn stiffness_block(material: &Material, area: f64, gi: Vec2, gj: Vec2) -> [f64; 4] {
+    times_gradient(&stress_of(material, gi), area, gj)
+}
+
+/// The blocks `k_ij` for `i = corner` and every corner `j` of a triangle with these gradients.
+pub fn stiffness_row(material: &Material, area: f64, gradients: &[Vec2; 3], corner: usize) -> [[f64; 4]; 3] {
+    let left = stress_of(material, gradients[corner]);
+    [0, 1, 2].map(|j| times_gradient(&left, area, gradients[j]))
+}
+
+/// `B_iᵀ C` before its terms are added: column `p` of `B_i` has the two entries `∂_p φ_i`, in the row of `ε_pp`, and `∂_{1−p} φ_i`,
+/// in that of the shear; each times its row of `C`.
+type Stress = [[[f64; 3]; 2]; 2];
+
+fn stress_of(material: &Material, g: Vec2) -> Stress {
     let c = material.matrix();
-    let bi = [[gi.x, 0.0], [0.0, gi.y], [gi.y, gi.x]];
-    let bj = [[gj.x, 0.0], [0.0, gj.y], [gj.y, gj.x]];
-    std::array::from_fn(|entry| {
-        let (p, q) = (entry / 2, entry % 2);
-        let mut sum = 0.0;
-        for (k, ck) in c.iter().enumerate() {
-            for (l, ckl) in ck.iter().enumerate() {
-                sum += bi[k][p] * ckl * bj[l][q];
-            }
-        }
-        area * sum
-    })
+    let times = |d: f64, row: &[f64; 3]| [d * row[0], d * row[1], d * row[2]];
+    [[times(g.x, &c[0]), times(g.y, &c[2])], [times(g.y, &c[1]), times(g.x, &c[2])]]
+}
+
+/// `|T| (B_iᵀ C) B_j`.
+fn times_gradient(left: &Stress, area: f64, g: Vec2) -> [f64; 4] {
+    let entry = |[normal, shear]: &[[f64; 3]; 2], q: usize, d: f64, e: f64| {
+        area * (normal[q] * d + normal[2] * e + shear[q] * d + shear[2] * e)
+    };
+    let [first, second] = left;
+    [entry(first, 0, g.x, g.y), entry(first, 1, g.y, g.x), entry(second, 0, g.x, g.y), entry(second, 1, g.y, g.x)]
 }
 
 #[cfg(test)]

@@ -51,6 +51,8 @@ pub fn fnv1a(bytes: &[u8]) -> u64 {
     hash.0
 }
 
+const PRIME: u64 = 0x0100_0000_01b3;
+
 /// State of FNV-1a with 64 bits.
 pub(super) struct Fnv1a(pub u64);
 
@@ -64,13 +66,20 @@ impl Fnv1a {
     pub fn bytes(&mut self, bytes: &[u8]) {
         for &byte in bytes {
             // hash ← (hash xor byte) · prime
-            self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
+            self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(PRIME);
         }
     }
 
     fn numbers<const N: usize>(&mut self, numbers: [u64; N]) {
         for number in numbers {
-            self.bytes(&number.to_le_bytes());
+            let [low, high] = [number as u32, (number >> 32) as u32];
+            self.bytes(&low.to_le_bytes());
+            if high == 0 {
+                // (hash xor 0) · prime, four times
+                self.0 = self.0.wrapping_mul(PRIME.wrapping_pow(4));
+            } else {
+                self.bytes(&high.to_le_bytes());
+            }
         }
     }
 

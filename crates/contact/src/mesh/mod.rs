@@ -124,6 +124,14 @@ impl Mesh {
         if t < self.first_triangles { Body::First } else { Body::Second }
     }
 
+    /// The triangles of a body.
+    pub fn triangles_of(&self, body: Body) -> std::ops::Range<usize> {
+        match body {
+            Body::First => 0..self.first_triangles,
+            Body::Second => self.first_triangles..self.triangles.len(),
+        }
+    }
+
     /// The corner positions of triangle `t`.
     pub fn corners(&self, t: usize) -> [Point; 3] {
         self.triangles[t].map(|i| self.points[i as usize])

@@ -2,6 +2,10 @@
 
 use super::Mesh;
 use crate::geometry::{Point, cross};
+use rayon::prelude::*;
+
+/// Triangles that one task measures.
+const CHUNK: usize = 4096;
 
 /// Mesh size and regularity of a triangulation of both bodies.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,26 +24,62 @@ pub struct Quality {
 impl Mesh {
     /// Measures every triangle of both bodies. An inverted triangle has the angle 0.
     pub fn quality(&self) -> Quality {
-        let (mut longest, mut shortest, mut cotangent) = (0.0, f64::INFINITY, 0.0);
-        let (mut straight, mut chord) = (0.0, 0.0);
-        for t in 0..self.triangles.len() {
-            let corners = self.corners(t);
-            let curved = self.curved.of(t).map(|c| usize::from(c.apex));
-            for i in 0..3 {
-                // side i is opposite corner i
-                let side = (corners[(i + 2) % 3] - corners[(i + 1) % 3]).norm();
-                longest = f64::max(longest, side);
-                shortest = f64::min(shortest, side);
-                let kind = if curved == Some(i) { &mut chord } else { &mut straight };
-                *kind = f64::max(*kind, side);
-            }
-            cotangent = f64::max(cotangent, largest_cotangent(corners));
-        }
+        let chunks = (0..self.triangles.len().div_ceil(CHUNK)).into_par_iter();
+        let of_chunk = |chunk: usize| {
+            let end = ((chunk + 1) * CHUNK).min(self.triangles.len());
+            (chunk * CHUNK..end).fold(Extremes::NONE, |e, t| e.with(self, t))
+        };
+        // Of maxima and minima every order gives the same.
+        let Extremes { longest, shortest, straight, chord, cotangent } =
+            chunks.map(of_chunk).reduce(|| Extremes::NONE, Extremes::and);
         Quality {
             h: self.curved_triangles().map(|(_, c)| c.diameter()).fold(longest, f64::max),
             min_angle: f64::atan2(1.0, cotangent).to_degrees(),
             side_ratio: longest / shortest,
             straight_over_chord: (chord > 0.0).then(|| straight / chord),
+        }
+    }
+}
+
+/// Of some triangles.
+struct Extremes {
+    longest: f64,
+    shortest: f64,
+    /// The longest straight side.
+    straight: f64,
+    /// The longest chord of a curved one.
+    chord: f64,
+    /// The cotangent of the smallest angle.
+    cotangent: f64,
+}
+
+impl Extremes {
+    const NONE: Self = Self { longest: 0.0, shortest: f64::INFINITY, straight: 0.0, chord: 0.0, cotangent: 0.0 };
+
+    /// With triangle `t` in addition.
+    fn with(self, mesh: &Mesh, t: usize) -> Self {
+        let mut all = self;
+        let corners = mesh.corners(t);
+        let curved = mesh.curved.of(t).map(|c| usize::from(c.apex));
+        for i in 0..3 {
+            // side i is opposite corner i
+            let side = (corners[(i + 2) % 3] - corners[(i + 1) % 3]).norm();
+            all.longest = f64::max(all.longest, side);
+            all.shortest = f64::min(all.shortest, side);
+            let kind = if curved == Some(i) { &mut all.chord } else { &mut all.straight };
+            *kind = f64::max(*kind, side);
+        }
+        all.cotangent = f64::max(all.cotangent, largest_cotangent(corners));
+        all
+    }
+
+    fn and(self, other: Self) -> Self {
+        Self {
+            longest: f64::max(self.longest, other.longest),
+            shortest: f64::min(self.shortest, other.shortest),
+            straight: f64::max(self.straight, other.straight),
+            chord: f64::max(self.chord, other.chord),
+            cotangent: f64::max(self.cotangent, other.cotangent),
         }
     }
 }

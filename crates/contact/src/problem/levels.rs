@@ -97,7 +97,7 @@ fn motions(mesh: &Mesh, basis: &Basis) -> Vec<Vec<f64>> {
     // what the supports take from each motion
     let taken = |k: usize| -> Vec<Vec2> {
         let left = basis.displacement(&coordinates[k]);
-        (0..left.len()).map(|i| candidates[k][i] - (left[i] - basis.offset[i])).collect()
+        (0..left.len()).map(|i| candidates[k][i] - (left[i] - basis.offset(i))).collect()
     };
     let taken: Vec<Vec<Vec2>> = (0..6).map(taken).collect();
     let work = |a: &[Vec2], b: &[Vec2]| a.iter().zip(b).map(|(a, b)| a.dot(b)).sum::<f64>();

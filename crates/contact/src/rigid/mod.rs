@@ -10,11 +10,12 @@ mod cone;
 mod tests;
 
 use crate::Error;
-use crate::basis::NodeSupport;
+use crate::basis::NodeSupports;
 use crate::geometry::{Point, Vec2, tangent_of};
 use crate::mesh::{Body, Mesh};
 use crate::zone::{ConstraintKind, Zone};
 use nalgebra::{DMatrix, DVector, Matrix6, SymmetricEigen, Vector6};
+use rayon::prelude::*;
 
 /// `|f(y)|` below this times `Σ |f_i| |y_i|` counts as zero: the loads that the motion meets, each with its arm. Loads on a body
 /// that does not move do not blur the balance of one that does.
@@ -96,7 +97,7 @@ fn round(x: f64) -> f64 {
 }
 
 /// Tests the load against the cone of allowed rigid motions.
-pub fn balance(mesh: &Mesh, supports: &[NodeSupport], zone: &Zone, load: &[Vec2]) -> Result<Balance, Error> {
+pub fn balance(mesh: &Mesh, supports: &NodeSupports, zone: &Zone, load: &[Vec2]) -> Result<Balance, Error> {
     let frame = Frame::new(mesh);
     let free = null_space(&(support_gram(mesh, supports, &frame) + bilateral_gram(mesh, zone, &frame)));
     if free.is_empty() {
@@ -142,18 +143,30 @@ struct Judge<'a> {
 impl Judge<'_> {
     /// The nodal field of a motion, scaled to `max |y| = 1`.
     fn field(&self, q: &Vector6<f64>) -> Vec<Vec2> {
-        let at = |i: usize| self.frame.at(q, self.mesh.node_bodies[i], self.mesh.points[i]);
-        let field: Vec<Vec2> = (0..self.mesh.points.len()).map(at).collect();
-        let largest = field.iter().map(|y| y.norm()).fold(0.0, f64::max);
-        field.into_iter().map(|y| y / largest).collect()
+        let largest = self.largest(q);
+        (0..self.mesh.points.len()).into_par_iter().map(|i| self.at(q, i) / largest).collect()
+    }
+
+    /// The motion of node `i`.
+    fn at(&self, q: &Vector6<f64>, i: usize) -> Vec2 {
+        self.frame.at(q, self.mesh.node_bodies[i], self.mesh.points[i])
+    }
+
+    /// `max |y|` over all nodes.
+    fn largest(&self, q: &Vector6<f64>) -> f64 {
+        let nodes = (0..self.mesh.points.len()).into_par_iter().with_min_len(1024);
+        nodes.map(|i| self.at(q, i).norm()).reduce(|| 0.0, f64::max)
     }
 
     /// `f(y)` for the motion scaled to `max |y| = 1`, and what counts as zero for it.
     fn work(&self, q: &Vector6<f64>) -> (f64, f64) {
-        let field = self.field(q);
-        let terms = || self.load.iter().zip(&field);
-        let size: f64 = terms().map(|(f, y)| f.norm() * y.norm()).sum();
-        (terms().map(|(f, y)| f.dot(y)).sum(), BALANCED * size)
+        let largest = self.largest(q);
+        let loaded = self.load.iter().enumerate().filter(|(_, f)| **f != Vec2::zeros());
+        let (work, size) = loaded.fold((0.0, 0.0), |(work, size), (i, f)| {
+            let y = self.at(q, i) / largest;
+            (work + f.dot(&y), size + f.norm() * y.norm())
+        });
+        (work, BALANCED * size)
     }
 
     fn demand_equilibrium(&self, y: &Vector6<f64>) -> Result<(), Error> {
@@ -189,9 +202,10 @@ impl Judge<'_> {
 }
 
 /// `Σ r rᵀ` over the rows of the held directions of all nodes.
-fn support_gram(mesh: &Mesh, supports: &[NodeSupport], frame: &Frame) -> Matrix6<f64> {
+fn support_gram(mesh: &Mesh, supports: &NodeSupports, frame: &Frame) -> Matrix6<f64> {
     let mut gram = Matrix6::zeros();
-    for (i, support) in supports.iter().enumerate() {
+    for (node, support) in supports.held() {
+        let i = node as usize;
         let held: &[Vec2] = match support.free.as_slice() {
             [_, _] => &[],
             [t] => &[tangent_of(*t)],

@@ -45,6 +45,6 @@ impl Hierarchy {
 
 /// How many midpoints lie inside a macro-triangle whose sides have `pieces` pieces: its triangles have `3·pieces²` sides, of
 /// which `3·pieces` lie on the rim and the others are shared by two.
-fn inside(pieces: usize) -> usize {
+pub(super) fn inside(pieces: usize) -> usize {
     3 * pieces * (pieces - 1) / 2
 }

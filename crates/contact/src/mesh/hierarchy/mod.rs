@@ -29,7 +29,6 @@ pub struct Hierarchy {
     levels: Vec<Mesh>,
     parents: Vec<Vec<[u32; 2]>>,
     macro_sides: MacroSides,
-    template: Template,
 }
 
 /// The sides of the coarse mesh.
@@ -50,7 +49,7 @@ impl Hierarchy {
         let number = |[a, b]: [u32; 2]| sides.find(a, b).expect("a contact side is a side of a triangle in each body");
         let contact = coarse.contact.iter().map(|c| [number(c.first), number(c.second)]);
         let macro_sides = MacroSides { count: sides.len(), contact: contact.collect(), of: sides.of };
-        Self { levels: vec![coarse], parents: vec![Vec::new()], macro_sides, template: Template::new() }
+        Self { levels: vec![coarse], parents: vec![Vec::new()], macro_sides }
     }
 
     /// The meshes, coarsest first.
@@ -76,7 +75,6 @@ impl Hierarchy {
         let (fine, parents) = refiner.refine();
         self.levels.push(fine);
         self.parents.push(parents);
-        self.template = self.template.refine();
     }
 
     /// The nodal values on level `to` of the piecewise linear field with the values `nodal` on level `from ≤ to`.
@@ -130,13 +128,14 @@ struct Refiner<'a> {
     mesh: &'a Mesh,
     /// `2^k`: how many pieces a macro-side has.
     pieces: usize,
+    template: Template,
 }
 
 impl<'a> Refiner<'a> {
     fn new(hierarchy: &'a Hierarchy) -> Self {
         let mesh = hierarchy.finest();
         let pieces = 1 << (hierarchy.levels.len() - 1);
-        Self { hierarchy, mesh, pieces }
+        Self { hierarchy, mesh, pieces, template: Template::new(pieces) }
     }
 
     fn refine(&self) -> (Mesh, Vec<[u32; 2]>) {
@@ -187,15 +186,14 @@ impl<'a> Refiner<'a> {
 
     fn new_nodes(&self) -> usize {
         let sides = &self.hierarchy.macro_sides;
-        sides.count * self.pieces + sides.of.len() * self.hierarchy.template.inside
+        sides.count * self.pieces + sides.of.len() * interiors::inside(self.pieces)
     }
 
     /// The number of the new node on side `i` of triangle `t`.
     fn midpoint(&self, t: usize, i: usize) -> u32 {
-        let template = &self.hierarchy.template;
-        let paths = template.midpoints.len();
+        let paths = self.template.paths();
         let (macro_triangle, path) = (t / paths, t % paths);
-        match template.midpoints[path][i] {
+        match self.template.midpoint(path, i) {
             Midpoint::OnSide { side, piece } => {
                 let number = self.hierarchy.macro_sides.of[macro_triangle][side as usize];
                 let corners = self.hierarchy.levels[0].triangles[macro_triangle];
@@ -203,7 +201,7 @@ impl<'a> Refiner<'a> {
             }
             Midpoint::Inside(place) => {
                 let sides = self.hierarchy.macro_sides.count * self.pieces;
-                let before = sides + macro_triangle * template.inside;
+                let before = sides + macro_triangle * interiors::inside(self.pieces);
                 (self.mesh.points.len() + before) as u32 + place
             }
         }

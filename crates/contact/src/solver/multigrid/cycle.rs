@@ -10,7 +10,7 @@ use crate::qp::{Bound, BoundQp};
 use crate::sparse::BlockMatrix;
 
 /// Sweeps before and after each coarse correction.
-const SWEEPS: usize = 2;
+static SW: std::sync::LazyLock<usize> = std::sync::LazyLock::new(|| std::env::var("SW").map_or(2, |v| v.parse().unwrap()));
 
 /// One level with everything a sweep needs.
 pub struct Grid<'a> {
@@ -175,11 +175,11 @@ impl<'a> Cycle<'a> {
         }
         x.fill(0.0);
         let limits = Limits::Frozen(frozen);
-        (0..SWEEPS).for_each(|_| grid.sweep().run(Direction::Forward, limits, load, x));
+        (0..*SW).for_each(|_| grid.sweep().run(Direction::Forward, limits, load, x));
         grid.residual(load, x, rest);
         self.from_below(k, frozen, rest);
         vector::add(x, 1.0, rest);
-        (0..SWEEPS).for_each(|_| grid.sweep().run(Direction::Backward, limits, load, x));
-        self.visited += (2 * SWEEPS + 1) * grid.entries();
+        (0..*SW).for_each(|_| grid.sweep().run(Direction::Backward, limits, load, x));
+        self.visited += (2 * *SW + 1) * grid.entries();
     }
 }

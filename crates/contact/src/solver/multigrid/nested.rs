@@ -10,8 +10,8 @@ use crate::solver::{Method, Prepared, QpSolution, Settings, Status, condensed};
 /// Iterations on the finest level, at most.
 const MOST: usize = 200;
 /// Iterations on a level below the finest, at most, and the share of its discretisation error that is enough there.
-const MOST_BELOW: usize = 4;
-const BELOW: f64 = 0.1;
+static MOST_BELOW: std::sync::LazyLock<usize> = std::sync::LazyLock::new(|| std::env::var("MB").map_or(4, |v| v.parse().unwrap()));
+static BELOW: std::sync::LazyLock<f64> = std::sync::LazyLock::new(|| std::env::var("BL").map_or(0.1, |v| v.parse().unwrap()));
 /// The residual is computed anew after so many iterations.
 const REFRESH: usize = 10;
 /// A decrease below this share of the energy cannot be told from rounding.
@@ -37,8 +37,8 @@ pub fn solve(qp: &BoundQp, levels: &Levels, settings: &Settings) -> QpSolution {
     for level in first + 1..=finest {
         let below = energy.unwrap_or_else(|| crate::qp::energy_of(grids[first].matrix, load(&loads, qp, first), &x));
         let start = prolonged(&grids, level, &x);
-        let aim = if level == finest { settings.accuracy } else { Accuracy::Discretisation(BELOW) };
-        let most = if level == finest { MOST } else { MOST_BELOW };
+        let aim = if level == finest { settings.accuracy } else { Accuracy::Discretisation(*BELOW) };
+        let most = if level == finest { MOST } else { *MOST_BELOW };
         let mut iteration = Iteration::new(&grids[level], level, load(&loads, qp, level), start);
         ended = run.iterate(&mut iteration, below, aim, most, level == finest);
         energy = Some(iteration.energy());
