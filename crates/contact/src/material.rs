@@ -98,6 +98,7 @@ impl Material {
     }
 
     /// The matrix `C`, acting on `(ε_11, ε_22, 2ε_12)`.
+    #[inline]
     pub fn matrix(&self) -> &[[f64; 3]; 3] {
         &self.c
     }
@@ -113,18 +114,21 @@ impl Material {
     }
 
     /// `τ = c ε` for the strain components `ε_11, ε_22, ε_12`.
+    #[inline]
     pub fn stress(&self, strain: Sym2) -> Sym2 {
         let e = [strain[0], strain[1], 2.0 * strain[2]];
-        std::array::from_fn(|i| self.c[i][0] * e[0] + self.c[i][1] * e[1] + self.c[i][2] * e[2])
+        self.c.map(|c| c[0] * e[0] + c[1] * e[1] + c[2] * e[2])
     }
 }
 
 /// `a_ij b_ij` of two symmetric tensors.
+#[inline]
 pub fn contract(a: Sym2, b: Sym2) -> f64 {
     a[0] * b[0] + a[1] * b[1] + 2.0 * a[2] * b[2]
 }
 
 /// The strain `ε_ij = ½(∂_j u_i + ∂_i u_j)` of a displacement gradient `gradient[i][j] = ∂_j u_i`.
+#[inline]
 pub fn strain(gradient: [[f64; 2]; 2]) -> Sym2 {
     [gradient[0][0], gradient[1][1], 0.5 * (gradient[0][1] + gradient[1][0])]
 }

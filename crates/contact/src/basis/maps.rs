@@ -14,6 +14,7 @@ impl Basis {
     }
 
     /// Whether the unknowns at a node are its displacement in the plane, both free.
+    #[inline]
     pub fn is_plain(&self, node: usize) -> bool {
         !self.special[node] && !self.fixed[2 * node] && !self.fixed[2 * node + 1]
     }

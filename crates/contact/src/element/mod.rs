@@ -11,6 +11,7 @@ use crate::geometry::{Point, Vec2, twice_area};
 use crate::material::{Material, Sym2, strain};
 
 /// Gradients of the hat functions `φ_0, φ_1, φ_2` and the area, from the corners in counterclockwise order.
+#[inline]
 pub fn gradients(corners: [Point; 3]) -> ([Vec2; 3], f64) {
     let [a, b, c] = corners;
     let det = twice_area(a, b, c);
@@ -27,11 +28,15 @@ pub fn hats(corners: [Point; 3], x: Point) -> [f64; 3] {
 }
 
 /// The gradient `g[i][j] = ∂_j u_i` of the linear displacement with nodal values `u`.
+#[inline]
 pub fn displacement_gradient(gradients: &[Vec2; 3], u: [Vec2; 3]) -> [[f64; 2]; 2] {
-    std::array::from_fn(|i| std::array::from_fn(|j| (0..3).map(|k| u[k][i] * gradients[k][j]).sum()))
+    let [g, h, k] = gradients;
+    let entry = |i: usize, j: usize| u[0][i] * g[j] + u[1][i] * h[j] + u[2][i] * k[j];
+    [[entry(0, 0), entry(0, 1)], [entry(1, 0), entry(1, 1)]]
 }
 
 /// The strain of the linear displacement with nodal values `u`.
+#[inline]
 pub fn linear_strain(gradients: &[Vec2; 3], u: [Vec2; 3]) -> Sym2 {
     strain(displacement_gradient(gradients, u))
 }
@@ -43,6 +48,7 @@ pub fn stiffness_block(material: &Material, area: f64, gi: Vec2, gj: Vec2) -> [f
 }
 
 /// The blocks `k_ij` for `i = corner` and every corner `j` of a triangle with these gradients.
+#[inline]
 pub fn stiffness_row(material: &Material, area: f64, gradients: &[Vec2; 3], corner: usize) -> [[f64; 4]; 3] {
     let left = stress_of(material, gradients[corner]);
     [0, 1, 2].map(|j| times_gradient(&left, area, gradients[j]))
@@ -52,6 +58,7 @@ pub fn stiffness_row(material: &Material, area: f64, gradients: &[Vec2; 3], corn
 /// in that of the shear; each times its row of `C`.
 type Stress = [[[f64; 3]; 2]; 2];
 
+#[inline]
 fn stress_of(material: &Material, g: Vec2) -> Stress {
     let c = material.matrix();
     let times = |d: f64, row: &[f64; 3]| [d * row[0], d * row[1], d * row[2]];
@@ -59,6 +66,7 @@ fn stress_of(material: &Material, g: Vec2) -> Stress {
 }
 
 /// `|T| (B_iᵀ C) B_j`.
+#[inline]
 fn times_gradient(left: &Stress, area: f64, g: Vec2) -> [f64; 4] {
     let entry = |[normal, shear]: &[[f64; 3]; 2], q: usize, d: f64, e: f64| {
         area * (normal[q] * d + normal[2] * e + shear[q] * d + shear[2] * e)

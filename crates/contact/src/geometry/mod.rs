@@ -25,11 +25,13 @@ pub type Vec2 = nalgebra::Vector2<f64>;
 pub type Point = Vec2;
 
 /// `a × b = a_1 b_2 − a_2 b_1`: twice the signed area of the triangle `0, a, b`.
+#[inline]
 pub fn cross(a: Vec2, b: Vec2) -> f64 {
     a.x * b.y - a.y * b.x
 }
 
 /// Twice the signed area of the triangle `a, b, c`; positive when they run counterclockwise.
+#[inline]
 pub fn twice_area(a: Point, b: Point, c: Point) -> f64 {
     cross(b - a, c - a)
 }

@@ -32,6 +32,7 @@ pub struct CurvedSides {
 
 impl CurvedSides {
     /// The curved side of triangle `t`. `O(log n)`, and nothing to do where nothing is curved.
+    #[inline]
     pub fn of(&self, t: usize) -> Option<&CurvedSide> {
         if self.sides.is_empty() {
             return None;

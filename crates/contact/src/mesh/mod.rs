@@ -120,6 +120,7 @@ pub struct PartName {
 
 impl Mesh {
     /// The body of triangle `t`.
+    #[inline]
     pub fn body(&self, t: usize) -> Body {
         if t < self.first_triangles { Body::First } else { Body::Second }
     }
@@ -133,6 +134,7 @@ impl Mesh {
     }
 
     /// The corner positions of triangle `t`.
+    #[inline]
     pub fn corners(&self, t: usize) -> [Point; 3] {
         self.triangles[t].map(|i| self.points[i as usize])
     }

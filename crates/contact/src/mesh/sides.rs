@@ -12,24 +12,29 @@ pub(super) struct Sides {
 }
 
 impl Sides {
-    /// Sorts the `3 N` sides of `N` triangles: `O(N log N)`. Needs `3 N < 2³²`.
+    /// Sorts the `3 N` sides of `N` triangles by counting their lower ends: `O(N)` as long as few sides share an end. Needs
+    /// `3 N < 2³²`.
     pub fn new(triangles: &[[u32; 3]]) -> Self {
-        let mut keys = keys(triangles);
-        keys.sort_unstable();
+        let buckets = Buckets::new(triangles);
+        let count = buckets.list.len();
         let mut sides = Self {
-            ends: Vec::with_capacity(keys.len() / 2),
+            ends: Vec::with_capacity(count / 2),
             of: vec![[0; 3]; triangles.len()],
-            start: Vec::with_capacity(keys.len() / 2),
-            incidences: keys.iter().map(|k| k.1).collect(),
+            start: Vec::with_capacity(count / 2),
+            incidences: Vec::with_capacity(count),
         };
-        for (position, &(key, incidence)) in keys.iter().enumerate() {
-            if position == 0 || keys[position - 1].0 != key {
-                sides.ends.push([(key >> 32) as u32, key as u32]);
-                sides.start.push(position as u32);
+        for (lower, bucket) in buckets.iter() {
+            let mut last = None;
+            for &(higher, incidence) in bucket {
+                if last.replace(higher) != Some(higher) {
+                    sides.start.push(sides.incidences.len() as u32);
+                    sides.ends.push([lower, higher]);
+                }
+                sides.of[incidence as usize / 3][incidence as usize % 3] = sides.ends.len() as u32 - 1;
+                sides.incidences.push(incidence);
             }
-            sides.of[incidence as usize / 3][incidence as usize % 3] = sides.ends.len() as u32 - 1;
         }
-        sides.start.push(keys.len() as u32);
+        sides.start.push(count as u32);
         sides
     }
 
@@ -55,15 +60,41 @@ pub(super) fn side_nodes(triangle: [u32; 3], i: usize) -> [u32; 2] {
     [triangle[(i + 1) % 3], triangle[(i + 2) % 3]]
 }
 
-/// `(lower end · 2³² + higher end, 3 t + i)` for each side of each triangle.
-fn keys(triangles: &[[u32; 3]]) -> Vec<(u64, u32)> {
-    let mut keys = Vec::with_capacity(3 * triangles.len());
-    for (t, &triangle) in triangles.iter().enumerate() {
-        for i in 0..3 {
-            let [a, b] = side_nodes(triangle, i);
-            let key = (u64::from(a.min(b)) << 32) | u64::from(a.max(b));
-            keys.push((key, (3 * t + i) as u32));
+/// For each node `(higher end, 3 t + i)` of every side of a triangle whose lower end it is, ascending.
+struct Buckets {
+    /// The node's sides are `list[start[node]..start[node + 1]]`.
+    start: Vec<u32>,
+    list: Vec<(u32, u32)>,
+}
+
+impl Buckets {
+    fn new(triangles: &[[u32; 3]]) -> Self {
+        let sides = || (0..3 * triangles.len()).rev().map(|k| (side_nodes(triangles[k / 3], k % 3), k as u32));
+        let nodes = triangles.iter().flatten().max().map_or(0, |&largest| largest as usize + 1);
+        let mut start = vec![0; nodes + 1];
+        sides().for_each(|([a, b], _)| start[a.min(b) as usize] += 1);
+        // Each start is first the end of its bucket and moves down as the bucket is filled from behind.
+        let mut end = 0;
+        for s in &mut start {
+            end += *s;
+            *s = end;
         }
+        let mut list = vec![(0, 0); 3 * triangles.len()];
+        for ([a, b], k) in sides() {
+            let place = &mut start[a.min(b) as usize];
+            *place -= 1;
+            list[*place as usize] = (a.max(b), k);
+        }
+        let mut buckets = Self { start, list };
+        for node in 0..nodes {
+            let range = buckets.start[node] as usize..buckets.start[node + 1] as usize;
+            buckets.list[range].sort_unstable();
+        }
+        buckets
     }
-    keys
+
+    fn iter(&self) -> impl Iterator<Item = (u32, &[(u32, u32)])> {
+        let bucket = |w: &[u32]| &self.list[w[0] as usize..w[1] as usize];
+        (0..).zip(self.start.windows(2).map(bucket))
+    }
 }

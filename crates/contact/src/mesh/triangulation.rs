@@ -125,15 +125,14 @@ impl Triangulation {
     }
 
     fn check_side(&self, body: Body, sides: &Sides, e: usize) -> Result<(), Error> {
-        let owners: Vec<(u32, usize)> = sides.owners(e).collect();
-        let starts = |k: usize| side_nodes(self.triangles[owners[k].0 as usize], owners[k].1)[0];
-        let numbers: Vec<String> = owners.iter().map(|o| o.0.to_string()).collect();
-        let what = match owners.len() {
-            0 | 1 => return Ok(()),
-            2 if starts(0) != starts(1) => return Ok(()),
-            2 => "lies on the same side of both",
+        let mut starts = sides.owners(e).map(|(t, i)| side_nodes(self.triangles[t as usize], i)[0]);
+        let what = match (starts.next(), starts.next(), starts.next()) {
+            (Some(_), None, _) | (None, ..) => return Ok(()),
+            (Some(first), Some(second), None) if first != second => return Ok(()),
+            (_, _, None) => "lies on the same side of both",
             _ => "belongs to more than two",
         };
+        let numbers: Vec<String> = sides.owners(e).map(|(t, _)| t.to_string()).collect();
         let [a, b] = sides.ends[e].map(|i| self.points[i as usize]);
         Err(mesh_error(format!(
             "the side from {} to {} (nodes {}, {}) of {body} {what} triangles {}; triangles must not overlap: remove \

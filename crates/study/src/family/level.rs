@@ -81,12 +81,8 @@ pub fn build_level(family: &Family, domain: &Domain, cells: &[usize], index: usi
         _ => Hierarchy::new(scene.fresh(n)?),
     };
     let finest = hierarchy.finest();
-    Ok(Level {
-        quality: finest.quality(),
-        hash: finest.hash(),
-        nested: domain.nests(family) && index > 0 && follows(cells, index),
-        hierarchy,
-    })
+    let (quality, hash) = rayon::join(|| finest.quality(), || finest.hash());
+    Ok(Level { quality, hash, nested: domain.nests(family) && index > 0 && follows(cells, index), hierarchy })
 }
 
 /// The reference mesh of `reference_n` cells as the finest of a hierarchy. Where the family is nested the hierarchy holds every

@@ -28,11 +28,12 @@ use template::{Midpoint, Template};
 pub struct Hierarchy {
     levels: Vec<Mesh>,
     parents: Vec<Vec<[u32; 2]>>,
+    /// Found by the first refinement.
     macro_sides: MacroSides,
 }
 
 /// The sides of the coarse mesh.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 struct MacroSides {
     count: usize,
     /// Number of each side of a macro-triangle.
@@ -41,15 +42,20 @@ struct MacroSides {
     contact: Vec<[u32; 2]>,
 }
 
-impl Hierarchy {
-    /// The hierarchy that consists of `coarse` alone.
-    pub fn new(coarse: Mesh) -> Self {
+impl MacroSides {
+    fn new(coarse: &Mesh) -> Self {
         let sides = Sides::new(&coarse.triangles);
         // A contact side is a side of a triangle in both bodies: `Mesh::build` saw to it.
         let number = |[a, b]: [u32; 2]| sides.find(a, b).expect("a contact side is a side of a triangle in each body");
         let contact = coarse.contact.iter().map(|c| [number(c.first), number(c.second)]);
-        let macro_sides = MacroSides { count: sides.len(), contact: contact.collect(), of: sides.of };
-        Self { levels: vec![coarse], parents: vec![Vec::new()], macro_sides }
+        Self { count: sides.len(), contact: contact.collect(), of: sides.of }
+    }
+}
+
+impl Hierarchy {
+    /// The hierarchy that consists of `coarse` alone.
+    pub fn new(coarse: Mesh) -> Self {
+        Self { levels: vec![coarse], parents: vec![Vec::new()], macro_sides: MacroSides::default() }
     }
 
     /// The meshes, coarsest first.
@@ -71,6 +77,9 @@ impl Hierarchy {
     /// Adds a level: every triangle in four, every boundary and contact side in two, new nodes of curved sides on their curves.
     /// Linear time.
     pub fn refine(&mut self) {
+        if self.levels.len() == 1 {
+            self.macro_sides = MacroSides::new(&self.levels[0]);
+        }
         let refiner = Refiner::new(self);
         let (fine, parents) = refiner.refine();
         self.levels.push(fine);
