@@ -169,8 +169,7 @@ fn half_strain_energy(discrete: &Discrete, x: &[f64]) -> f64 {
 fn at_the_floor_it_is_the_direct_solution() {
     for scene in scenes() {
         with_problem(&scene, 3, |hierarchy, problem, discrete| {
-            let (fast, direct) =
-                (multigrid(hierarchy, problem, discrete, Accuracy::Floor), condensed(discrete));
+            let (fast, direct) = (multigrid(hierarchy, problem, discrete, Accuracy::Floor), condensed(discrete));
             let name = scene.name;
             assert!(fast.status.is_solved() && fast.iterations > 1, "{name}: {}", fast.status);
             let scale = half_strain_energy(discrete, &direct.x);
@@ -181,7 +180,8 @@ fn at_the_floor_it_is_the_direct_solution() {
             let apart = fast.x.iter().zip(&direct.x).fold(0.0, |m: f64, (a, b)| m.max((a - b).abs()));
             assert!(apart <= 1e-8 * size, "{name}: {apart:e} of {size:e}");
             let force = direct.multipliers.iter().fold(0.0, |m: f64, l| m.max(*l));
-            let apart = fast.multipliers.iter().zip(&direct.multipliers).fold(0.0, |m: f64, (a, b)| m.max((a - b).abs()));
+            let apart =
+                fast.multipliers.iter().zip(&direct.multipliers).fold(0.0, |m: f64, (a, b)| m.max((a - b).abs()));
             assert!(apart <= 1e-8 * force, "{name}: forces {apart:e} of {force:e}");
         });
     }

@@ -7,6 +7,7 @@
 mod loads;
 mod pattern;
 mod scatter;
+mod shared;
 mod stiffness;
 mod surroundings;
 

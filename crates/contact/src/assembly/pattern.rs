@@ -10,7 +10,7 @@ pub(super) const CHUNK: usize = 4096;
 
 /// Where the rows of a matrix start, and the block column of each entry.
 pub(super) struct Pattern {
-    pub row_start: Vec<usize>,
+    pub row_start: Vec<u32>,
     pub columns: Vec<u32>,
 }
 
@@ -35,11 +35,12 @@ impl Rows<'_> {
             .map(|chunk| self.part(chunk * CHUNK..((chunk + 1) * CHUNK).min(nodes)))
             .collect();
         let entries = parts.iter().map(|p| p.columns.len()).sum();
+        assert!(entries <= u32::MAX as usize, "entries of a matrix are counted with 32 bits");
         let mut pattern = Pattern { row_start: Vec::with_capacity(nodes + 1), columns: Vec::with_capacity(entries) };
         pattern.row_start.push(0);
         for part in parts {
             let before = pattern.columns.len();
-            pattern.row_start.extend(part.ends.iter().map(|end| before + *end as usize));
+            pattern.row_start.extend(part.ends.iter().map(|end| (before + *end as usize) as u32));
             pattern.columns.extend(part.columns);
         }
         pattern

@@ -141,6 +141,7 @@ fn join([first, second]: [Triangulation; 2], parts: &[PartOutline]) -> Mesh {
         curved: CurvedSides::default(),
         direction: None,
         initial_gap: None,
+        shapes: None,
     }
 }
 

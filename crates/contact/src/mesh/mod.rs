@@ -22,6 +22,7 @@ pub mod hierarchy;
 pub mod locate;
 mod outline;
 pub mod quality;
+mod shapes;
 pub mod side;
 mod sides;
 #[cfg(test)]
@@ -33,6 +34,7 @@ pub use hash::fnv1a;
 pub use hierarchy::Hierarchy;
 pub use locate::{Located, Locator};
 pub use quality::Quality;
+pub use shapes::Shapes;
 pub use triangulation::Triangulation;
 
 /// One of the two bodies.
@@ -107,6 +109,8 @@ pub struct Mesh {
     pub direction: Option<Vec2>,
     /// The initial distance along `n` of bodies with common nodes on the zone; none where they just touch.
     pub initial_gap: Option<InitialGap>,
+    /// Which triangles repeat the shape of another, where refinement has seen to it.
+    pub shapes: Option<Shapes>,
 }
 
 /// The name of a boundary part and the body it belongs to.

@@ -35,7 +35,7 @@ mod tests {
     /// Four masses in a row, free to move along it, and a load that is out of balance by 1e-9.
     fn row() -> BoundQp {
         let blocks = vec![[1.0, -1.0, -1.0, 2.0], [0.0, 0.0, -1.0, 0.0], [0.0, -1.0, 0.0, 0.0], [2.0, -1.0, -1.0, 1.0]];
-        let matrix = BlockMatrix { row_start: vec![0, 2, 4], columns: vec![0, 1, 0, 1], blocks };
+        let matrix = BlockMatrix::new(vec![0, 2, 4], vec![0, 1, 0, 1], blocks);
         let kernel = vec![vec![1.0; 4]];
         let conditions = vec![(0..4).map(|i| (i, 1.0)).collect()];
         BoundQp { matrix, load: vec![1.0, 0.0, 0.0, -1.0 + 1e-9], kernel, conditions, ..Default::default() }

@@ -54,7 +54,7 @@ pub struct UpperTriangle {
 impl UpperTriangle {
     /// The kept rows and columns of `matrix`. Stored zeros stay in the pattern.
     pub fn new(matrix: &BlockMatrix, numbering: &Numbering) -> Self {
-        let room = numbering.kept.len() + 2 * matrix.blocks.len();
+        let room = numbering.kept.len() + 2 * matrix.entries();
         let mut triangle = Self {
             column_start: Vec::with_capacity(numbering.kept.len() + 1),
             rows: Vec::with_capacity(room),

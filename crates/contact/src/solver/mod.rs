@@ -49,7 +49,9 @@ impl<'a> Prepared<'a> {
     /// `multigrid` without coarser levels is a direct solution: see [`Prepared::with_levels`].
     pub fn new(qp: &'a BoundQp, method: Method) -> Self {
         Self(match method {
-            Method::Condensed | Method::Monotone | Method::Multigrid => Preparation::Condensed(Box::new(condensed::Condensed::new(qp))),
+            Method::Condensed | Method::Monotone | Method::Multigrid => {
+                Preparation::Condensed(Box::new(condensed::Condensed::new(qp)))
+            }
             Method::InteriorPoint => Preparation::InteriorPoint(qp),
         })
     }
@@ -117,7 +119,14 @@ pub struct Settings {
 
 impl Default for Settings {
     fn default() -> Self {
-        Self { method: Method::Condensed, max_steps: 50, tolerance: 1e-11, crossover: true, start_slide: 0.0, accuracy: Accuracy::Floor }
+        Self {
+            method: Method::Condensed,
+            max_steps: 50,
+            tolerance: 1e-11,
+            crossover: true,
+            start_slide: 0.0,
+            accuracy: Accuracy::Floor,
+        }
     }
 }
 

@@ -52,7 +52,7 @@ fn node_graph(matrix: &BlockMatrix, nodes: &[usize]) -> (Vec<usize>, Vec<usize>)
         number[i] = k as u32;
     }
     let mut column_start = vec![0];
-    let mut rows = Vec::with_capacity(matrix.columns.len());
+    let mut rows = Vec::with_capacity(matrix.entries());
     for &i in nodes {
         let neighbours = matrix.row(i).map(|(j, _)| number[j]);
         rows.extend(neighbours.filter(|&k| k != REMOVED).map(|k| k as usize));

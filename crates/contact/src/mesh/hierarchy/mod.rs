@@ -19,7 +19,7 @@ mod interiors;
 mod template;
 
 use super::sides::{Sides, side_nodes};
-use super::{BoundarySide, ContactSide, CurvedSide, CurvedSides, Mesh};
+use super::{BoundarySide, ContactSide, CurvedSide, CurvedSides, Mesh, Shapes};
 use crate::Vec2;
 use template::{Midpoint, Template};
 
@@ -171,6 +171,7 @@ impl<'a> Refiner<'a> {
             curved: self.curved_halves(),
             direction: mesh.direction,
             initial_gap: mesh.initial_gap.clone(),
+            shapes: Some(mesh.shapes.as_ref().map_or_else(|| Shapes::of_coarse(mesh).refined(), Shapes::refined)),
         };
         (fine, parents)
     }

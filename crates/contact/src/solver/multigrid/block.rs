@@ -52,29 +52,32 @@ struct Local {
 }
 
 impl Block {
-    fn local(&self, matrix: &BlockMatrix, load: &[f64], x: &[Cell<f64>]) -> Local {
+    fn local(&self, matrix: &BlockMatrix, load: &[f64], x: &[Cell<[f64; 2]>]) -> Local {
         let mut local = Local { matrix: [[0.0; WIDTH]; WIDTH], residual: [0.0; WIDTH] };
         for (top, &slot) in self.slots.iter().enumerate().filter(|(_, s)| **s != NONE) {
             let i = slot as usize;
-            let mut rest = [load[2 * i], load[2 * i + 1]];
+            let kx = matrix.times_row(i, |j| x[j].get());
+            (local.residual[2 * top], local.residual[2 * top + 1]) = (load[2 * i] - kx[0], load[2 * i + 1] - kx[1]);
             for (j, b) in matrix.row(i) {
-                let (u, v) = (x[2 * j].get(), x[2 * j + 1].get());
-                rest[0] -= b[0] * u + b[1] * v;
-                rest[1] -= b[2] * u + b[3] * v;
                 if let Some(left) = self.slots.iter().position(|&s| s as usize == j) {
                     for k in 0..4 {
                         local.matrix[2 * top + k / 2][2 * left + k % 2] = b[k];
                     }
                 }
             }
-            local.residual[2 * top] = rest[0];
-            local.residual[2 * top + 1] = rest[1];
         }
         local
     }
 
-    fn dof(&self, k: usize) -> usize {
-        2 * self.slots[k / 2] as usize + k % 2
+    fn get(&self, k: usize, x: &[Cell<[f64; 2]>]) -> f64 {
+        x[self.slots[k / 2] as usize].get()[k % 2]
+    }
+
+    fn set(&self, k: usize, x: &[Cell<[f64; 2]>], value: f64) {
+        let cell = &x[self.slots[k / 2] as usize];
+        let mut both = cell.get();
+        both[k % 2] = value;
+        cell.set(both);
     }
 
     fn width(&self) -> usize {
@@ -82,27 +85,26 @@ impl Block {
     }
 
     /// Minimises over the block's components within their bounds; a component that ends on its bound is there exactly.
-    pub fn relax(&self, matrix: &BlockMatrix, load: &[f64], bounds: &[Bound], x: &[Cell<f64>]) {
+    pub fn relax(&self, matrix: &BlockMatrix, load: &[f64], bounds: &[Bound], x: &[Cell<[f64; 2]>]) {
         let local = self.local(matrix, load, x);
         let mut slack = [f64::INFINITY; WIDTH];
         for k in (0..WIDTH).filter(|&k| self.bounds[k] != NONE) {
-            slack[k] = bounds[self.bounds[k] as usize].upper - x[self.dof(k)].get();
+            slack[k] = bounds[self.bounds[k] as usize].upper - self.get(k, x);
         }
         let (change, active) = local.minimise(&slack);
         for k in 0..self.width() {
-            let cell = &x[self.dof(k)];
-            cell.set(if active[k] { bounds[self.bounds[k] as usize].upper } else { cell.get() + change[k] });
+            let moved = self.get(k, x) + change[k];
+            self.set(k, x, if active[k] { bounds[self.bounds[k] as usize].upper } else { moved });
         }
     }
 
     /// Minimises with the frozen components held: the linear problem on a face.
-    pub fn relax_linear(&self, matrix: &BlockMatrix, load: &[f64], frozen: &[bool], x: &[Cell<f64>]) {
+    pub fn relax_linear(&self, matrix: &BlockMatrix, load: &[f64], frozen: &[bool], x: &[Cell<[f64; 2]>]) {
         let local = self.local(matrix, load, x);
         let held = self.bounds.map(|b| b != NONE && frozen[b as usize]);
         let change = local.solve(&held, &[0.0; WIDTH]);
         for k in (0..self.width()).filter(|&k| !held[k]) {
-            let cell = &x[self.dof(k)];
-            cell.set(cell.get() + change[k]);
+            self.set(k, x, self.get(k, x) + change[k]);
         }
     }
 }

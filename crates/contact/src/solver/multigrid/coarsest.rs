@@ -17,7 +17,14 @@ pub struct Coarsest {
 impl Coarsest {
     /// `x = K⁻¹ f` with the frozen components, and one component for each motion that they leave free, held at zero. `motions`
     /// are the rigid motions that the supports leave free.
-    pub fn solve(&mut self, matrix: &BlockMatrix, bounds: &[Bound], frozen: &[bool], motions: &[Vec<f64>], x: &mut [f64]) {
+    pub fn solve(
+        &mut self,
+        matrix: &BlockMatrix,
+        bounds: &[Bound],
+        frozen: &[bool],
+        motions: &[Vec<f64>],
+        x: &mut [f64],
+    ) {
         if self.factorizations == 0 || self.frozen != frozen {
             self.factor(matrix, bounds, frozen, motions);
         }

@@ -9,8 +9,8 @@ use super::{Levels, motion, vector};
 use crate::qp::{Bound, BoundQp};
 use crate::sparse::BlockMatrix;
 
-/// Sweeps before and after each coarse correction.
-static SW: std::sync::LazyLock<usize> = std::sync::LazyLock::new(|| std::env::var("SW").map_or(2, |v| v.parse().unwrap()));
+/// Sweeps before and after each coarse correction, at most.
+const MOST_SWEEPS: usize = 2;
 
 /// One level with everything a sweep needs.
 pub struct Grid<'a> {
@@ -61,7 +61,7 @@ impl<'a> Grid<'a> {
 
     /// Entries of the matrix: what a product costs.
     pub fn entries(&self) -> usize {
-        self.matrix.blocks.len()
+        self.matrix.entries()
     }
 }
 
@@ -80,6 +80,8 @@ pub struct Cycle<'a> {
     motions: &'a [Vec<f64>],
     rooms: Vec<Room>,
     coarsest: Coarsest,
+    /// Sweeps before and after each coarse correction.
+    sweeps: usize,
     /// Matrix entries visited on the coarse levels so far.
     pub visited: usize,
 }
@@ -91,13 +93,18 @@ impl<'a> Cycle<'a> {
             Room { x: zeros(), load: zeros(), rest: zeros(), frozen: vec![false; g.bounds.len()] }
         };
         let rooms = grids[..grids.len() - 1].iter().map(room).collect();
-        Self { grids, motions, rooms, coarsest: Coarsest::default(), visited: 0 }
+        Self { grids, motions, rooms, coarsest: Coarsest::default(), sweeps: 1, visited: 0 }
     }
 
     /// The correction on grid `fine` for the residual `rest` there, with the components held that [`freeze`](Self::freeze) was
     /// told of: `rest` is used up and becomes the correction.
     pub fn correct(&mut self, fine: usize, frozen: &[bool], rest: &mut [f64]) {
         self.from_below(fine, frozen, rest);
+    }
+
+    /// Where one sweep on each side is too little, as near incompressibility.
+    pub fn sweep_more(&mut self) {
+        self.sweeps = MOST_SWEEPS;
     }
 
     /// Whether the supports leave any rigid motion free.
@@ -175,11 +182,11 @@ impl<'a> Cycle<'a> {
         }
         x.fill(0.0);
         let limits = Limits::Frozen(frozen);
-        (0..*SW).for_each(|_| grid.sweep().run(Direction::Forward, limits, load, x));
+        (0..self.sweeps).for_each(|_| grid.sweep().run(Direction::Forward, limits, load, x));
         grid.residual(load, x, rest);
         self.from_below(k, frozen, rest);
         vector::add(x, 1.0, rest);
-        (0..*SW).for_each(|_| grid.sweep().run(Direction::Backward, limits, load, x));
-        self.visited += (2 * *SW + 1) * grid.entries();
+        (0..self.sweeps).for_each(|_| grid.sweep().run(Direction::Backward, limits, load, x));
+        self.visited += (2 * self.sweeps + 1) * grid.entries();
     }
 }

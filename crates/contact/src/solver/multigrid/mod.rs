@@ -40,7 +40,9 @@ use crate::sparse::BlockMatrix;
 
 /// Slots that were declared independent but are not.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("slot {slot} may not be visited beside slot {other}: they lie in different parts and share an element, or one is there twice")]
+#[error(
+    "slot {slot} may not be visited beside slot {other}: they lie in different parts and share an element, or one is there twice"
+)]
 pub struct Disorder {
     /// A slot of one part.
     pub slot: u32,

@@ -10,8 +10,8 @@ use crate::solver::{Method, Prepared, QpSolution, Settings, Status, condensed};
 /// Iterations on the finest level, at most.
 const MOST: usize = 200;
 /// Iterations on a level below the finest, at most, and the share of its discretisation error that is enough there.
-static MOST_BELOW: std::sync::LazyLock<usize> = std::sync::LazyLock::new(|| std::env::var("MB").map_or(4, |v| v.parse().unwrap()));
-static BELOW: std::sync::LazyLock<f64> = std::sync::LazyLock::new(|| std::env::var("BL").map_or(0.1, |v| v.parse().unwrap()));
+const MOST_BELOW: usize = 2;
+const BELOW: f64 = 0.1;
 /// The residual is computed anew after so many iterations.
 const REFRESH: usize = 10;
 /// A decrease below this share of the energy cannot be told from rounding.
@@ -19,6 +19,8 @@ const FLOOR: f64 = 1e-27;
 /// Below this share it is rounding if it does not fall quickly any more.
 const NEAR_FLOOR: f64 = 1e-21;
 const STALLS: f64 = 0.3;
+/// Where the energy falls by less than this factor from step to step, coarse levels are swept twice as often.
+const SLOW: f64 = 0.25;
 
 /// Solves by nested iteration; the certificate of the answer is not computed here.
 pub fn solve(qp: &BoundQp, levels: &Levels, settings: &Settings) -> QpSolution {
@@ -37,8 +39,8 @@ pub fn solve(qp: &BoundQp, levels: &Levels, settings: &Settings) -> QpSolution {
     for level in first + 1..=finest {
         let below = energy.unwrap_or_else(|| crate::qp::energy_of(grids[first].matrix, load(&loads, qp, first), &x));
         let start = prolonged(&grids, level, &x);
-        let aim = if level == finest { settings.accuracy } else { Accuracy::Discretisation(*BELOW) };
-        let most = if level == finest { MOST } else { *MOST_BELOW };
+        let aim = if level == finest { settings.accuracy } else { Accuracy::Discretisation(BELOW) };
+        let most = if level == finest { MOST } else { MOST_BELOW };
         let mut iteration = Iteration::new(&grids[level], level, load(&loads, qp, level), start);
         ended = run.iterate(&mut iteration, below, aim, most, level == finest);
         energy = Some(iteration.energy());
@@ -114,6 +116,9 @@ impl Run<'_> {
                     return Some(count);
                 }
             }
+            if ratio > SLOW && last.is_finite() {
+                self.cycle.sweep_more();
+            }
             last = decrease;
             if count % REFRESH == 0 {
                 iteration.refresh();
@@ -165,11 +170,5 @@ fn load<'a>(loads: &'a [Vec<f64>], qp: &'a BoundQp, level: usize) -> &'a [f64] {
 fn coarse_problem(qp: &BoundQp, grid: &Grid, load: &[f64]) -> Option<BoundQp> {
     let kernel: Vec<Vec<f64>> = qp.kernel.iter().map(|y| y[..grid.dimension()].to_vec()).collect();
     let conditions = anchors(&kernel)?.into_iter().map(|i| vec![(i as u32, 1.0)]).collect();
-    Some(BoundQp {
-        matrix: grid.matrix.clone(),
-        load: load.to_vec(),
-        bounds: grid.bounds.to_vec(),
-        kernel,
-        conditions,
-    })
+    Some(BoundQp { matrix: grid.matrix.clone(), load: load.to_vec(), bounds: grid.bounds.to_vec(), kernel, conditions })
 }

@@ -83,8 +83,7 @@ fn owners(rows: usize, parts: &[Vec<Slots>]) -> Result<Vec<u32>, Disorder> {
 fn check_independence(matrix: &BlockMatrix, owner: &[u32]) -> Result<(), Disorder> {
     use rayon::prelude::*;
     let meets_another = |&i: &usize| {
-        let columns = &matrix.columns[matrix.row_start[i]..matrix.row_start[i + 1]];
-        owner[i] != INTERFACE && columns.iter().any(|&j| is_another(owner[i], owner[j as usize]))
+        owner[i] != INTERFACE && matrix.columns_of(i).iter().any(|&j| is_another(owner[i], owner[j as usize]))
     };
     let found = (0..matrix.rows()).into_par_iter().with_min_len(4096).find_first(meets_another);
     let Some(i) = found else { return Ok(()) };
@@ -114,15 +113,13 @@ mod tests {
 
     /// A chain of seven slots.
     fn chain() -> BlockMatrix {
-        let mut matrix = BlockMatrix { row_start: vec![0], ..Default::default() };
+        let (mut row_start, mut columns) = (vec![0], Vec::new());
         for i in 0..7_u32 {
-            for j in i.saturating_sub(1)..=(i + 1).min(6) {
-                matrix.columns.push(j);
-                matrix.blocks.push([1.0; 4]);
-            }
-            matrix.row_start.push(matrix.columns.len());
+            columns.extend(i.saturating_sub(1)..=(i + 1).min(6));
+            row_start.push(columns.len() as u32);
         }
-        matrix
+        let blocks = vec![[1.0; 4]; columns.len()];
+        BlockMatrix::new(row_start, columns, blocks)
     }
 
     #[test]

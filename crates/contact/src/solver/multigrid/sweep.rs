@@ -39,7 +39,7 @@ pub struct Sweep<'a> {
 }
 
 /// Cells that several threads may touch, as long as they keep to different parts.
-struct Parts<'a>(&'a [Cell<f64>]);
+struct Parts<'a>(&'a [Cell<[f64; 2]>]);
 
 // SAFETY: a `Parts` is shared only by the loop over `Order::parts` below. Each task writes the slots of its own part and reads
 // these, the interface and nothing else: `Order::new` refuses parts with a common slot or with a coupling between them, and no
@@ -50,7 +50,7 @@ unsafe impl Sync for Parts<'_> {}
 impl Sweep<'_> {
     /// Relaxes every slot once; `x` and `load` have two entries for each slot.
     pub fn run(&self, direction: Direction, limits: Limits, load: &[f64], x: &mut [f64]) {
-        let x = Cell::from_mut(x).as_slice_of_cells();
+        let x = Cell::from_mut(x.as_chunks_mut::<2>().0).as_slice_of_cells();
         match direction {
             Direction::Forward => {
                 self.blocks.iter().for_each(|b| self.relax(b, limits, load, x));
@@ -65,14 +65,14 @@ impl Sweep<'_> {
         }
     }
 
-    fn relax(&self, block: &Block, limits: Limits, load: &[f64], x: &[Cell<f64>]) {
+    fn relax(&self, block: &Block, limits: Limits, load: &[f64], x: &[Cell<[f64; 2]>]) {
         match limits {
             Limits::Bounds(bounds) => block.relax(self.matrix, load, bounds, x),
             Limits::Frozen(frozen) => block.relax_linear(self.matrix, load, frozen, x),
         }
     }
 
-    fn each_part(&self, x: &[Cell<f64>], visit: &(impl Fn(&[Slots], &[Cell<f64>]) + Sync)) {
+    fn each_part(&self, x: &[Cell<[f64; 2]>], visit: &(impl Fn(&[Slots], &[Cell<[f64; 2]>]) + Sync)) {
         if self.matrix.rows() < WORTH_DIVIDING {
             self.order.parts().iter().for_each(|slots| visit(slots, x));
             return;
@@ -85,34 +85,32 @@ impl Sweep<'_> {
     }
 }
 
-fn forward(matrix: &BlockMatrix, slots: &Slots, load: &[f64], x: &[Cell<f64>]) {
+fn forward(matrix: &BlockMatrix, slots: &Slots, load: &[f64], x: &[Cell<[f64; 2]>]) {
     slots.clone().for_each(|i| relax_slot(matrix, i as usize, load, x));
 }
 
-fn backward(matrix: &BlockMatrix, slots: &Slots, load: &[f64], x: &[Cell<f64>]) {
+fn backward(matrix: &BlockMatrix, slots: &Slots, load: &[f64], x: &[Cell<[f64; 2]>]) {
     slots.clone().rev().for_each(|i| relax_slot(matrix, i as usize, load, x));
 }
 
 /// `x_i += D⁻¹ (f − Kx)_i` with the 2×2 diagonal block `D`.
 #[inline]
-fn relax_slot(matrix: &BlockMatrix, i: usize, load: &[f64], x: &[Cell<f64>]) {
-    let mut rest = [load[2 * i], load[2 * i + 1]];
-    let mut diagonal = [0.0; 4];
-    let range = matrix.row_start[i]..matrix.row_start[i + 1];
-    for (&j, b) in matrix.columns[range.clone()].iter().zip(&matrix.blocks[range]) {
-        let j = j as usize;
-        let (u, v) = (x[2 * j].get(), x[2 * j + 1].get());
-        rest[0] -= b[0] * u + b[1] * v;
-        rest[1] -= b[2] * u + b[3] * v;
-        if j == i {
+fn relax_slot(matrix: &BlockMatrix, i: usize, load: &[f64], x: &[Cell<[f64; 2]>]) {
+    let (columns, blocks) = matrix.parts(i);
+    let (mut kx, mut diagonal) = ([0.0; 2], [0.0; 4]);
+    for (&j, b) in columns.iter().zip(blocks) {
+        let [u, v] = x[j as usize].get();
+        kx[0] += b[0] * u + b[1] * v;
+        kx[1] += b[2] * u + b[3] * v;
+        if j as usize == i {
             diagonal = *b;
         }
     }
     let [a, b, c, d] = diagonal;
     let determinant = a * d - b * c;
     if determinant > 0.0 {
-        let scale = 1.0 / determinant;
-        x[2 * i].set(x[2 * i].get() + scale * (d * rest[0] - b * rest[1]));
-        x[2 * i + 1].set(x[2 * i + 1].get() + scale * (a * rest[1] - c * rest[0]));
+        let rest = [load[2 * i] - kx[0], load[2 * i + 1] - kx[1]];
+        let (scale, [u, v]) = (1.0 / determinant, x[i].get());
+        x[i].set([u + scale * (d * rest[0] - b * rest[1]), v + scale * (a * rest[1] - c * rest[0])]);
     }
 }

@@ -58,7 +58,7 @@ impl Transfer<'_> {
         let (fine, new) = (&*fine, self.coarse);
         coarse.par_chunks_mut(2).enumerate().with_min_len(2048).for_each(|(i, sum)| {
             let mut halves = [0.0; 2];
-            for &j in &pattern.columns[pattern.row_start[i]..pattern.row_start[i + 1]] {
+            for &j in pattern.columns_of(i) {
                 if j as usize >= new {
                     halves[0] += fine[2 * j as usize];
                     halves[1] += fine[2 * j as usize + 1];

@@ -77,7 +77,7 @@ fn units_do_not_matter() {
     // the same problem in pascals and micrometres: K in 1e11, x in 1e-6
     let qp = Random(5).problem(20, 5);
     let mut scaled = qp.clone();
-    scaled.matrix.blocks.iter_mut().flatten().for_each(|k| *k *= 1e11);
+    scaled.matrix.blocks_mut().iter_mut().flatten().for_each(|k| *k *= 1e11);
     scaled.load.iter_mut().for_each(|f| *f *= 1e5);
     scaled.bounds.iter_mut().for_each(|b| b.upper *= 1e-6);
     let truth: Vec<f64> = enumerate(&qp).iter().map(|x| 1e-6 * x).collect();
@@ -113,7 +113,7 @@ fn ties_do_not_cycle() {
 #[test]
 fn an_indefinite_matrix_is_refused() {
     let mut qp = Random(9).problem(12, 3);
-    qp.matrix.blocks[0][0] -= 100.0;
+    qp.matrix.blocks_mut()[0][0] -= 100.0;
     assert_eq!(condensed(&qp).status, Status::NotPositiveDefinite);
     let qp = problem(&DMatrix::from_element(2, 2, 1.0), &[1.0, 1.0], &[]);
     assert_eq!(condensed(&qp).status, Status::NotPositiveDefinite);

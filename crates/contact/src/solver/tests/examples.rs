@@ -78,18 +78,15 @@ fn block_matrix(matrix: &DMatrix<f64>) -> BlockMatrix {
 
 /// The block matrix of these blocks.
 pub fn from_blocks(rows: usize, blocks: &BTreeMap<(usize, usize), [f64; 4]>) -> BlockMatrix {
-    let mut matrix = BlockMatrix {
-        row_start: vec![0; rows + 1],
-        columns: blocks.keys().map(|(_, j)| *j as u32).collect(),
-        blocks: blocks.values().copied().collect(),
-    };
+    let mut row_start = vec![0; rows + 1];
     for (i, _) in blocks.keys() {
-        matrix.row_start[i + 1] += 1;
+        row_start[i + 1] += 1;
     }
     for i in 0..rows {
-        matrix.row_start[i + 1] += matrix.row_start[i];
+        row_start[i + 1] += row_start[i];
     }
-    matrix
+    let columns = blocks.keys().map(|(_, j)| *j as u32).collect();
+    BlockMatrix::new(row_start, columns, blocks.values().copied().collect())
 }
 
 /// The dense matrix of a problem.
