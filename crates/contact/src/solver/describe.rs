@@ -4,9 +4,10 @@ use super::{Method, Status};
 use std::fmt;
 
 impl Method {
-    /// `condensed`, `monotone`, `interior-point` or `multigrid`.
+    /// `automatic`, `condensed`, `monotone`, `interior-point` or `multigrid`.
     pub fn name(self) -> &'static str {
         match self {
+            Self::Automatic => "automatic",
             Self::Condensed => "condensed",
             Self::Monotone => "monotone",
             Self::InteriorPoint => "interior-point",

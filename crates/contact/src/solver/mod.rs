@@ -49,7 +49,7 @@ impl<'a> Prepared<'a> {
     /// `multigrid` without coarser levels is a direct solution: see [`Prepared::with_levels`].
     pub fn new(qp: &'a BoundQp, method: Method) -> Self {
         Self(match method {
-            Method::Condensed | Method::Monotone | Method::Multigrid => {
+            Method::Automatic | Method::Condensed | Method::Monotone | Method::Multigrid => {
                 Preparation::Condensed(Box::new(condensed::Condensed::new(qp)))
             }
             Method::InteriorPoint => Preparation::InteriorPoint(qp),
@@ -69,14 +69,25 @@ impl<'a> Prepared<'a> {
         }
     }
 
+    fn method(&self, settings: &Settings) -> Method {
+        match self.0 {
+            Preparation::Multigrid(..) => Method::Multigrid,
+            Preparation::InteriorPoint(_) => Method::InteriorPoint,
+            Preparation::Condensed(_) if settings.method == Method::Monotone => Method::Monotone,
+            Preparation::Condensed(_) => Method::Condensed,
+        }
+    }
+
     /// Solves; [`Settings::method`] is the one that was prepared.
     pub fn solve(self, settings: &Settings) -> QpSolution {
         let bounds_are_finite = self.qp().bounds.iter().all(|b| b.upper.is_finite());
+        let method = self.method(settings);
         let mut answer = match self.0 {
             Preparation::Condensed(condensed) => condensed.solve(settings),
             Preparation::InteriorPoint(qp) => interior_point::solve(qp, settings),
             Preparation::Multigrid(qp, levels) => multigrid::solve(qp, &levels, settings),
         };
+        answer.method = method;
         let mut entries = answer.x.iter().chain(&answer.multipliers);
         let is_finite = entries.all(|v| v.is_finite()) && bounds_are_finite;
         if answer.status.is_solved() && !is_finite {
@@ -86,9 +97,15 @@ impl<'a> Prepared<'a> {
     }
 }
 
+/// Unknowns from which on multigrid is faster than a factorisation, where there is a hierarchy.
+pub const MULTIGRID_FROM: usize = 50_000;
+
 /// Which algorithm solves the problem.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Method {
+    /// [`Condensed`](Self::Condensed) below [`MULTIGRID_FROM`] unknowns, above [`Multigrid`](Self::Multigrid) if there are coarser
+    /// levels.
+    Automatic,
     /// One sparse factorisation, then an active set on the Schur complement of the bounded components.
     Condensed,
     /// The same condensation, but from the start the method that lowers the energy in every step.
@@ -97,6 +114,17 @@ pub enum Method {
     InteriorPoint,
     /// Nested multigrid over the levels of a hierarchy.
     Multigrid,
+}
+
+impl Method {
+    /// The method that solves a problem of so many unknowns with so many coarser levels.
+    pub fn for_problem(self, unknowns: usize, coarser_levels: usize) -> Self {
+        match self {
+            Self::Automatic if unknowns >= MULTIGRID_FROM && coarser_levels > 1 => Self::Multigrid,
+            Self::Automatic => Self::Condensed,
+            method => method,
+        }
+    }
 }
 
 /// Settings of a solve.
@@ -168,6 +196,8 @@ pub struct QpSolution {
     pub x: Vec<f64>,
     /// The multiplier `λ ≥ 0` of each bound, in the order of [`BoundQp::bounds`](crate::qp::BoundQp::bounds).
     pub multipliers: Vec<f64>,
+    /// Who found it.
+    pub method: Method,
     /// How it ended.
     pub status: Status,
     /// Active-set or interior-point iterations.
@@ -178,6 +208,9 @@ pub struct QpSolution {
     pub history: Vec<usize>,
     /// Multigrid: work in units of one product with the finest matrix, from the coarsest level on; 0 for direct methods.
     pub work: f64,
+    /// Multigrid: an estimate of the distance to the minimiser in the energy norm, `√(rᵀBr)` with the residual `r` computed anew
+    /// and one more cycle `B ≈ K⁻¹` on the final face.
+    pub distance: Option<f64>,
 }
 
 impl QpSolution {
@@ -186,11 +219,13 @@ impl QpSolution {
         Self {
             x: vec![0.0; qp.matrix.dimension()],
             multipliers: vec![0.0; qp.bounds.len()],
+            method: Method::Condensed,
             status,
             iterations: 0,
             factorizations: 0,
             history: Vec::new(),
             work: 0.0,
+            distance: None,
         }
     }
 }

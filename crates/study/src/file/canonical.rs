@@ -5,6 +5,7 @@
 
 use super::layer::Layer;
 use super::number::Finite;
+use super::plan::ACCURACY;
 use super::raw::{RawBoundary, RawExact, RawField, RawPoint, RawTraces};
 use crate::claim::Claim;
 use crate::study::{Block, Case, Scene, Subject};
@@ -48,12 +49,12 @@ pub fn text(case: &Case, layer: &Layer<'_>, claim: &Claim) -> String {
     lines.0
 }
 
-/// A start of the slide other than zero and an accuracy other than the best are named; without them the text is the same as ever.
+/// A start of the slide other than zero and an accuracy other than the usual are named; without them the text is the same as ever.
 fn solver(settings: &Settings) -> String {
     let Settings { method, max_steps, tolerance, crossover, start_slide, accuracy } = settings;
     let start = if *start_slide == 0.0 { String::new() } else { format!(", start_slide: {start_slide:?}") };
     let accuracy = match accuracy {
-        Accuracy::Floor => String::new(),
+        Accuracy::Discretisation(ACCURACY) => String::new(),
         other => format!(", accuracy: {other:?}"),
     };
     format!(

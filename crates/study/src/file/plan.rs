@@ -2,11 +2,12 @@
 
 use super::degenerate;
 use super::error::{Fault, refuse};
+use super::number::Finite;
 use super::raw::{CoarseName, FamilyName, RawFamily, RawLevels, RawReference, RawSolver, ReferenceName, SolverName};
 use super::shape::point;
 use crate::family::{Family, refinements};
 use crate::study::ReferencePlan;
-use signorini_contact::solver::{Method, Settings};
+use signorini_contact::solver::{Accuracy, Method, Settings};
 use std::ops::Range;
 use toml::Spanned;
 
@@ -234,10 +235,16 @@ fn method(name: SolverName) -> Method {
     }
 }
 
+/// The method where a study names none.
+const METHOD: Method = Method::Automatic;
+
+/// The share of the discretisation error at which multigrid stops on a level where a study names none.
+pub const ACCURACY: f64 = 0.01;
+
 /// Who gives the second opinion; not the solver whose answer it is held against.
 pub fn second(raw: Option<&RawSolver>) -> Result<Option<Method>, Fault> {
     let Some(second) = raw.and_then(|r| r.second.as_ref()) else { return Ok(None) };
-    let first = raw.and_then(|r| r.name).map_or(Settings::default().method, method);
+    let first = raw.and_then(|r| r.name).map_or(Method::Condensed, method);
     let other = method(*second.get_ref());
     if other == first {
         let message = format!("`second` is {} like the first solver: it would agree with itself", other.name());
@@ -246,11 +253,22 @@ pub fn second(raw: Option<&RawSolver>) -> Result<Option<Method>, Fault> {
     Ok(Some(other))
 }
 
+fn accuracy(share: &Spanned<Finite>) -> Result<Accuracy, Fault> {
+    match share.get_ref().0 {
+        0.0 => Ok(Accuracy::Floor),
+        share if 0.0 < share && share < 1.0 => Ok(Accuracy::Discretisation(share)),
+        other => {
+            let message = format!("accuracy = {other} is no share of the discretisation error below 1");
+            refuse(share.span(), message, "0.01 is the default; 0 asks for all that double precision gives")
+        }
+    }
+}
+
 /// Solver settings.
 pub fn solver(raw: Option<&RawSolver>) -> Result<Settings, Fault> {
-    let mut settings = Settings::default();
+    let mut settings = Settings { method: METHOD, accuracy: Accuracy::Discretisation(ACCURACY), ..Settings::default() };
     let Some(raw) = raw else { return Ok(settings) };
-    settings.method = raw.name.map_or(settings.method, method);
+    settings.method = raw.name.map_or(METHOD, method);
     if let Some(t) = &raw.tolerance {
         settings.tolerance = t.get_ref().0;
         if !(0.0 < settings.tolerance && settings.tolerance < 1.0) {
@@ -266,6 +284,9 @@ pub fn solver(raw: Option<&RawSolver>) -> Result<Settings, Fault> {
     }
     if let Some(start) = &raw.start_slide {
         settings.start_slide = start.get_ref().0;
+    }
+    if let Some(share) = &raw.accuracy {
+        settings.accuracy = accuracy(share)?;
     }
     settings.crossover = raw.crossover.unwrap_or(settings.crossover);
     Ok(settings)

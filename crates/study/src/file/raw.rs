@@ -429,6 +429,7 @@ pub struct RawSolver {
     pub max_steps: Option<Spanned<usize>>,
     pub start_slide: Option<Spanned<Finite>>,
     pub second: Option<Spanned<SolverName>>,
+    pub accuracy: Option<Spanned<Finite>>,
 }
 
 #[derive(Clone, Copy, Deserialize)]

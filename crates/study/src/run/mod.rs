@@ -189,7 +189,7 @@ fn run_contact(
     let measured: Vec<_> = (0..cells.len()).into_par_iter().map(measure).collect();
     let refused::Parted { solved, refused } = refused::part(measured, cells)?;
     let (levels, times) = solved.into_iter().unzip();
-    let reference = reference::describe(case, overkill.as_ref().map(|(o, _)| o), &task);
+    let reference = reference::describe(case, overkill.as_ref().map(|(o, _)| o));
     let zone = overkill.as_ref().and_then(|(o, _)| reference::zone(scene, o));
     let mut record = conclude(study, case, settings, levels, reference, zone)?;
     record.verdict = refused::doubted(record.verdict, &refused);

@@ -10,7 +10,7 @@ use crate::reference::overkill::Overkill;
 use crate::study::{Case, ReferencePlan, Scene};
 
 /// The entry of the record.
-pub fn describe(case: &Case, overkill: Option<&Overkill>, task: &Task) -> Reference {
+pub fn describe(case: &Case, overkill: Option<&Overkill>) -> Reference {
     let Some(overkill) = overkill else {
         return if case.reference == ReferencePlan::Exact { Reference::Exact } else { Reference::None };
     };
@@ -20,7 +20,7 @@ pub fn describe(case: &Case, overkill: Option<&Overkill>, task: &Task) -> Refere
         energy: overkill.solution.energy,
         estimated_error: None,
         stationarity: certificate(&overkill.discrete, &overkill.solution).stationarity,
-        solver: task.settings.method.name().to_owned(),
+        solver: overkill.solution.raw.method.name().to_owned(),
     }
 }
 

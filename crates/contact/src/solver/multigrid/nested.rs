@@ -15,9 +15,9 @@ const BELOW: f64 = 0.1;
 /// The residual is computed anew after so many iterations.
 const REFRESH: usize = 10;
 /// A decrease below this share of the energy cannot be told from rounding.
-const FLOOR: f64 = 1e-27;
+const FLOOR: f64 = 1e-25;
 /// Below this share it is rounding if it does not fall quickly any more.
-const NEAR_FLOOR: f64 = 1e-21;
+const NEAR_FLOOR: f64 = 1e-20;
 const STALLS: f64 = 0.3;
 /// Where the energy falls by less than this factor from step to step, coarse levels are swept twice as often.
 const SLOW: f64 = 0.25;
@@ -33,6 +33,7 @@ pub fn solve(qp: &BoundQp, levels: &Levels, settings: &Settings) -> QpSolution {
     let finest = grids.len() - 1;
     let (mut x, mut energy) = (start.x, None);
     let mut ended = Some(start.iterations);
+    let mut distance = None;
     if first == finest {
         run.history = start.history;
     }
@@ -44,6 +45,9 @@ pub fn solve(qp: &BoundQp, levels: &Levels, settings: &Settings) -> QpSolution {
         let mut iteration = Iteration::new(&grids[level], level, load(&loads, qp, level), start);
         ended = run.iterate(&mut iteration, below, aim, most, level == finest);
         energy = Some(iteration.energy());
+        if level == finest {
+            distance = Some(iteration.distance(&mut run.cycle));
+        }
         run.visited += iteration.visited;
         x = iteration.x;
     }
@@ -56,6 +60,7 @@ pub fn solve(qp: &BoundQp, levels: &Levels, settings: &Settings) -> QpSolution {
     answer.factorizations = 1 + run.cycle.factorizations();
     answer.work = (run.visited + run.cycle.visited) as f64 / grids[finest].entries() as f64;
     answer.history = run.history;
+    answer.distance = distance;
     let on_bound = active(&qp.bounds, &answer.x);
     condensed::finish(qp, &on_bound, &mut answer);
     answer

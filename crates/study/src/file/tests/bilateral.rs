@@ -106,7 +106,7 @@ fn the_condition_on_a_slide_names_a_body_and_a_part_of_its_boundary() {
 fn fingerprints_of_other_studies_do_not_know_of_slides() {
     let plain = sample::case("theorem-3-1-smooth", "structured").canonical.clone();
     assert!(!plain.contains("slide") && !plain.contains("bilateral"));
-    assert!(plain.contains("solver: Settings { method: Condensed, max_steps: 50, tolerance: 1e-11, crossover: true }"));
+    assert!(plain.contains("solver: Settings { method: Automatic, max_steps: 50, tolerance: 1e-11, crossover: true }"));
     let slid = sample::case("remark-3-7", "start-1").canonical.clone();
     assert!(slid.contains("start_slide: 1.0") && slid.contains("slide: SlideCondition"));
     assert!(sample::case("remark-3-3", "structured").canonical.contains("bilateral pieces: [0]"));

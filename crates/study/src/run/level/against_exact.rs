@@ -2,7 +2,7 @@
 
 use super::defects::geometry_error;
 use super::parts::{differences, dual_norm, ledger, relative_difference, set_errors, share};
-use super::{Solved, Task};
+use super::{Solved, Task, algebraic_error, residual_work};
 use crate::record::{Budget, Ledger, Level};
 use crate::reference::exact::Integrals;
 use crate::run::contact::ContactErrors;
@@ -11,7 +11,7 @@ use crate::study::ExactScene;
 use signorini_contact::mesh::Mesh;
 use signorini_contact::norm::Squares;
 use signorini_contact::quadrature::Cubature;
-use signorini_contact::{Vec2, qp};
+use signorini_contact::Vec2;
 
 /// Everything that turns a solved level into errors against the exact solution.
 pub(super) struct ExactMeasurement<'a> {
@@ -46,7 +46,7 @@ impl ExactMeasurement<'_> {
         let load_change = dual_norm(discrete, &differences(&self.fine.load, &self.base.load));
         let energy_change = (by_fine - by_base).abs() / (2.0 * e.max(f64::MIN_POSITIVE));
         level.budget = Budget {
-            algebraic: share(qp::algebraic_error(&discrete.qp, &solution.raw.x, &solution.raw.multipliers), e, size),
+            algebraic: share(algebraic_error(discrete, solution), e, size),
             quadrature: share(load_change + energy_change + (e - base.energy_norm()).abs(), e, size),
             geometry: share(geometry_error(self.exact, materials, &self.task.scene.contact, self.mesh), e, size),
             reference: Some(0.0),
@@ -71,7 +71,8 @@ impl ExactMeasurement<'_> {
         let zone =
             ZoneLedger::new(self.exact, self.mesh, self.interpolant, &self.solved.solution.displacement, self.cubature);
         let change = 0.5 * (fine.energy - base.energy).abs() + (a - a_base).abs() + (b - b_base).abs();
-        let ledger = ledger(0.5 * fine.energy, [a, b, zone.c], change + zone.delta, self.fine.solution.energy);
+        let left = residual_work(&self.solved.discrete, &self.solved.solution, self.interpolant);
+        let ledger = ledger(0.5 * fine.energy, [a, b, zone.c], change + left + zone.delta, self.fine.solution.energy);
         Ledger { parts: zone.parts, ..ledger }
     }
 }

@@ -4,14 +4,14 @@
 //! `K_h ⊄ K_ref` and `V_h ⊄ V_ref`, so neither the identity behind `two_way` nor the ledger holds: both stay empty.
 
 use super::parts::{differences, dual_norm, set_errors, share};
-use super::{Solved, Task};
+use super::{Solved, Task, algebraic_error};
 use crate::record::{Budget, Level};
 use crate::reference::located::Located;
 use crate::reference::overkill::Overkill;
 use crate::run::contact::ContactState;
 use crate::run::overlay::{self, Zone};
 use signorini_contact::mesh::Mesh;
-use signorini_contact::{Vec2, qp};
+use signorini_contact::Vec2;
 
 impl Task<'_> {
     pub(super) fn fill_from_located(
@@ -37,7 +37,7 @@ impl Task<'_> {
         let load_change = dual_norm(discrete, &differences(&discrete.load, coarse_load));
         let (e, size) = (located.error.energy_norm(), reference.solution.strain_energy.sqrt());
         level.budget = Budget {
-            algebraic: share(qp::algebraic_error(&discrete.qp, &solution.raw.x, &solution.raw.multipliers), e, size),
+            algebraic: share(algebraic_error(discrete, solution), e, size),
             quadrature: share(load_change + located.quadrature, e, size),
             // with chords the bodies of level and reference differ; by how much is not known here
             geometry: (!self.scene.discretisation.chords).then_some(0.0),

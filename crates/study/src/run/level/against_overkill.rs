@@ -1,12 +1,12 @@
 //! A solved level against a discrete reference on a nested finer mesh: errors, ledger and budget.
 
 use super::parts::{differences, dual_norm, ledger, relative_difference, set_errors, share};
-use super::{Solved, Task};
+use super::{Solved, Task, algebraic_error, residual_work};
 use crate::record::{Budget, Level};
 use crate::reference::overkill::Overkill;
 use crate::run::contact::{self, ContactState};
 use signorini_contact::mesh::Mesh;
-use signorini_contact::{Vec2, qp};
+use signorini_contact::Vec2;
 
 impl Task<'_> {
     /// Fills the level in and gives `A(e,e)`.
@@ -40,7 +40,8 @@ impl Task<'_> {
         let work = |load: &[Vec2], u: &[Vec2]| load.iter().zip(u).map(|(f, u)| f.dot(u)).sum::<f64>();
         let load_gap = (work(&discrete.load, &solution.displacement) - work(&reference.discrete.load, &v)).abs();
         let load_change = dual_norm(discrete, &differences(&discrete.load, coarse_load));
-        let delta = load_gap + 1e-14 * reference.solution.strain_energy;
+        let left = residual_work(discrete, solution, reference.interpolant(at));
+        let delta = left + load_gap + 1e-14 * reference.solution.strain_energy;
         level.ledger = Some(ledger(
             0.5 * error.energy,
             [0.5 * interpolation.energy, b, c],
@@ -49,7 +50,7 @@ impl Task<'_> {
         ));
         let (e, size) = (error.energy_norm(), reference.solution.strain_energy.sqrt());
         level.budget = Budget {
-            algebraic: share(qp::algebraic_error(&discrete.qp, &solution.raw.x, &solution.raw.multipliers), e, size),
+            algebraic: share(algebraic_error(discrete, solution), e, size),
             quadrature: share(load_change + load_gap / e.max(f64::MIN_POSITIVE), e, size),
             geometry: Some(0.0),
             reference: None,

@@ -41,7 +41,7 @@ impl Both {
         let true_error = self::task(case, &[reference_cells]).against_exact(exact, 0).unwrap().0.errors.energy.unwrap();
         let mut overkill: Vec<Level> =
             (0..case.quick.len()).map(|k| task.against_overkill(&reference, None, k).unwrap().0).collect();
-        let mut described = describe(case, Some(&reference), &task);
+        let mut described = describe(case, Some(&reference));
         contaminate(&mut overkill, &mut described);
         let Reference::Overkill { estimated_error: Some(estimate), .. } = described else { panic!("no estimate") };
         let exact = (0..case.quick.len()).map(|k| task.against_exact(exact, k).unwrap().0).collect();

@@ -11,14 +11,13 @@
 //!
 //! Random fields lie around `u_h` at the distance of its error, or of its size.
 
-use super::{Solved, Task};
+use super::{Solved, Task, algebraic_error};
 use crate::error::RunError;
 use crate::record::{Estimate, Splitting};
 use crate::reference::exact::Pair;
 use crate::reference::overkill::Overkill;
 use crate::splitting::{Forms, Named, Random, Sides, SplittingPlan, dot, opened, worst_of_each_kind};
 use signorini_contact::mesh::{Hierarchy, Mesh};
-use signorini_contact::qp;
 use signorini_contact::{Vec2, assembly};
 
 /// Random fields of each set.
@@ -102,10 +101,7 @@ impl Measured<'_> {
         let u_h = reference.prolong(at, &self.solved.solution.displacement);
         // what the level's own quadrature makes of the loads
         let own = |v: &[Vec2]| dot(&self.solved.discrete.load, &v[..self.solved.discrete.load.len()]);
-        let of_reference = {
-            let raw = &reference.solution.raw;
-            qp::algebraic_error(&reference.discrete.qp, &raw.x, &raw.multipliers)
-        };
+        let of_reference = algebraic_error(&reference.discrete, &reference.solution);
         let entry = |v: Option<&[Vec2]>, v_h: &[Vec2]| {
             let sides = Sides::new(self.plan.estimate, &forms, &u_h, v, v_h, square);
             let loads = (forms.load(v_h) - forms.load(&u_h) - own(v_h) + own(&u_h)).abs();
@@ -175,8 +171,7 @@ impl Measured<'_> {
 
     /// `|r(v_h − u_h)|` of the solver's residual is at most its dual norm times this distance.
     fn solver_share(&self, forms: &Forms, u_h: &[Vec2], v_h: &[Vec2]) -> f64 {
-        let raw = &self.solved.solution.raw;
-        qp::algebraic_error(&self.solved.discrete.qp, &raw.x, &raw.multipliers) * distance(forms, u_h, v_h)
+        algebraic_error(&self.solved.discrete, &self.solved.solution) * distance(forms, u_h, v_h)
     }
 }
 
