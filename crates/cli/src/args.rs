@@ -21,7 +21,7 @@ pub struct Cli {
 }
 
 /// The names of the commands, for who mistypes one.
-pub const COMMANDS: [&str; 7] = ["run", "list", "check", "bless", "report", "falsify", "coverage"];
+pub const COMMANDS: [&str; 8] = ["run", "list", "check", "bless", "report", "bench", "falsify", "coverage"];
 
 /// The commands.
 #[derive(Subcommand, Debug)]
@@ -34,6 +34,11 @@ pub enum Command {
     Check(CheckArgs),
     /// Run studies and store their energies, errors and rates as baselines in reference/.
     Bless(RunArgs),
+    /// Measure speed against error: seconds and bytes of every solver on refined meshes, beside the floors of the machine.
+    Bench(BenchArgs),
+    /// Carry out one measurement of `bench`, described on standard input.
+    #[command(name = "bench-one", hide = true)]
+    BenchOne,
     /// Search for counterexamples: scenes drawn at random within the hypotheses of a claim, the worst kept as a study.
     Falsify(FalsifyArgs),
     /// Measure how often the 95 % interval holds the true slope, on made-up errors.
@@ -104,6 +109,70 @@ pub enum SolverArg {
     InteriorPoint,
     /// Nested multigrid over the levels of the family.
     Multigrid,
+}
+
+/// Arguments of `bench`.
+#[derive(Args, Debug, Clone)]
+pub struct BenchArgs {
+    /// Ids from `list` or paths to .toml files, each with `/CASE` behind it for another case than its first. None means
+    /// theorem-3-1-smooth, measured against its exact solution, and two-squares, measured by its energies.
+    #[arg(value_name = "STUDY[/CASE]")]
+    pub studies: Vec<String>,
+    /// Sizes by unknowns, e.g. 1e3..1e7; either end may be left out. Cells double from the study's coarsest mesh on.
+    #[arg(long, value_name = "A..B", value_parser = dofs_range, default_value = "500..1e5")]
+    pub dofs: DofsRange,
+    /// The largest size, in place of the end of --dofs.
+    #[arg(long, value_name = "B", value_parser = count)]
+    pub max_dofs: Option<usize>,
+    /// Take N levels only, counted from the coarsest within the sizes.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    pub levels: Option<u16>,
+    /// Solvers, separated by commas; all by default. Each is left out where it has no hope: interior-point above 20 000
+    /// unknowns, condensed above 1 500 000.
+    #[arg(long, value_enum, value_name = "NAME,…", value_delimiter = ',')]
+    pub solvers: Vec<SolverArg>,
+    /// Measure everything R times, in rounds; medians are reported.
+    #[arg(long, value_name = "R", default_value_t = 3, value_parser = clap::value_parser!(u16).range(1..))]
+    pub repeat: u16,
+    /// Where bench.json, bench.csv, bench.md, work-precision.png and scaling.png go.
+    #[arg(long, value_name = "DIR", default_value = "reports/bench")]
+    pub out: PathBuf,
+    /// Threads of each measurement; all processors by default.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    pub threads: Option<u16>,
+    /// Print nothing but errors and the tables.
+    #[arg(long)]
+    pub quiet: bool,
+}
+
+/// `--dofs`: least and most unknowns.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct DofsRange {
+    /// Fewest.
+    pub least: usize,
+    /// Most.
+    pub most: usize,
+}
+
+/// Most unknowns where `--dofs` names no end: what fits in the memory of large machines.
+const ENDLESS: usize = 100_000_000;
+
+fn dofs_range(text: &str) -> Result<DofsRange, String> {
+    let (a, b) = text.split_once("..").ok_or("two numbers with .. between them, e.g. 1e3..1e5")?;
+    let end = |text: &str, missing: usize| if text.is_empty() { Ok(missing) } else { count(text) };
+    let range = DofsRange { least: end(a, 0)?, most: end(b, ENDLESS)? };
+    if range.least > range.most {
+        return Err(format!("it ends at {} before it begins at {}; swap the two", range.most, range.least));
+    }
+    Ok(range)
+}
+
+/// A number of unknowns: `100000`, `1e5`.
+fn count(text: &str) -> Result<usize, String> {
+    match text.parse::<f64>() {
+        Ok(x) if (1.0..=ENDLESS as f64).contains(&x) && x.fract() == 0.0 => Ok(x as usize),
+        _ => Err(format!("`{text}` is no whole number from 1 to 1e8, such as 100000 or 1e5")),
+    }
 }
 
 /// Arguments of `falsify`.

@@ -3,7 +3,7 @@
 use crate::VERSION;
 use crate::args::FalsifyArgs;
 use crate::failure::Failure;
-use crate::progress::Draws;
+use crate::progress::Count;
 use crate::run::use_threads;
 use signorini_study::falsify::{Found, Plan, Summary, Target, search};
 use signorini_study::nearest::nearest;
@@ -18,7 +18,7 @@ pub fn falsify(args: &FalsifyArgs) -> Result<u8, Failure> {
     use_threads(args.threads)?;
     let folder = args.out.join("falsify");
     let budget = args.budget as usize;
-    let progress = Draws::new(targets.len() * budget, args.quiet);
+    let progress = Count::new(targets.len() * budget, "draws", args.quiet);
     let one = |target: &Target| -> Result<Found, Failure> {
         let state = folder.join(target.about().id);
         let plan = Plan { budget, seed: args.seed, state: Some(&state), version: VERSION };

@@ -4,6 +4,7 @@
 mod say;
 
 mod args;
+mod bench;
 mod bless;
 mod check;
 mod coverage;
@@ -28,6 +29,8 @@ fn main() -> ExitCode {
         Command::List => list::list(),
         Command::Check(args) => check::check(&args),
         Command::Bless(args) => bless::bless(&args),
+        Command::Bench(args) => bench::bench(&args),
+        Command::BenchOne => bench::one(),
         Command::Falsify(args) => falsify::falsify(&args),
         Command::Coverage(args) => coverage::coverage(&args),
         Command::Report { dir } => report::report(&dir),

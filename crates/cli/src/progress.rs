@@ -56,16 +56,16 @@ impl Watch for Progress {
     }
 }
 
-/// Tells on standard error how many draws are done, where it is a terminal.
-pub struct Draws(Option<ProgressBar>);
+/// Tells on standard error how many things of one sort are done, where it is a terminal.
+pub struct Count(Option<ProgressBar>);
 
-impl Draws {
-    /// A bar over so many draws; nothing with `quiet`.
-    pub fn new(draws: usize, quiet: bool) -> Self {
-        let style = ProgressStyle::with_template("{bar:40} {pos}/{len} draws  {elapsed} elapsed, {eta} left");
-        let style = style.unwrap_or_else(|_| ProgressStyle::default_bar());
+impl Count {
+    /// A bar over so many of `things`; nothing with `quiet`.
+    pub fn new(number: usize, things: &str, quiet: bool) -> Self {
+        let template = format!("{{bar:40}} {{pos}}/{{len}} {things}  {{elapsed}} elapsed, {{eta}} left");
+        let style = ProgressStyle::with_template(&template).unwrap_or_else(|_| ProgressStyle::default_bar());
         let shown = std::io::stderr().is_terminal() && !quiet;
-        Self(shown.then(|| ProgressBar::new(draws as u64).with_style(style)))
+        Self(shown.then(|| ProgressBar::new(number as u64).with_style(style)))
     }
 
     /// One more.

@@ -39,9 +39,6 @@ pub fn library() -> Result<Library, Failure> {
 
 /// Reads the studies that the names stand for.
 pub fn load(names: &[String]) -> Result<Vec<Study>, Failure> {
-    if names.iter().any(|n| n == "bench") {
-        return Err(Failure::new("`bench` has not landed yet", "the times of a run are in <DIR>/<study>/timings.json"));
-    }
     let sources = library()?.select(names)?;
     sources.iter().map(|s| s.load().map_err(Failure::from)).collect()
 }
@@ -83,12 +80,17 @@ fn settings(args: &RunArgs) -> RunSettings {
     RunSettings {
         profile: profile(args.profile),
         levels: args.levels.map(usize::from),
-        solver: args.solver.map(|s| match s {
-            SolverArg::Condensed => Method::Condensed,
-            SolverArg::InteriorPoint => Method::InteriorPoint,
-            SolverArg::Multigrid => Method::Multigrid,
-        }),
+        solver: args.solver.map(method),
         partial: Some(args.out.join(".partial")),
+    }
+}
+
+/// The solver that a word of the command line means.
+pub fn method(arg: SolverArg) -> Method {
+    match arg {
+        SolverArg::Condensed => Method::Condensed,
+        SolverArg::InteriorPoint => Method::InteriorPoint,
+        SolverArg::Multigrid => Method::Multigrid,
     }
 }
 

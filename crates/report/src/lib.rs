@@ -19,8 +19,9 @@
 //!
 //! Reading order: [`table`] (the one table model) · [`norm`] (what can be tabulated) · [`levels`], [`ledger`] (the tables
 //! of a case) · [`markdown`] (its page) · [`plot`] (its pictures) · [`verdict`], [`summary`] (all
-//! cases together), [`statements`] (the paper, statement by statement).
+//! cases together), [`statements`] (the paper, statement by statement). Apart from records: [`mod@bench`] (speed against error).
 
+pub mod bench;
 mod borderline;
 pub mod corner;
 mod coverage;
@@ -42,6 +43,7 @@ pub mod summary;
 pub mod table;
 pub mod verdict;
 
+pub use bench::{bench_text, render_bench};
 pub use coverage::coverage_markdown;
 pub use error::ReportError;
 pub use falsify::{falsify_markdown, falsify_text};

@@ -18,7 +18,7 @@ pub(super) const LEADING: f64 = 31.0;
 /// Between the sides of the picture and anything in it.
 pub(super) const MARGIN: f64 = 30.0;
 /// Length of a dash, and of the space behind it.
-const DASH: f64 = 9.0;
+pub(super) const DASH: f64 = 9.0;
 /// From the frame's right side to the curves' labels.
 pub(super) const LEADER: f64 = 40.0;
 
@@ -32,7 +32,7 @@ pub(crate) fn draw<DB: DrawingBackend>(chart: &Chart, canvas: &Canvas<DB>) -> Dr
         let middle = (f64::from(WIDTH) / 2.0, (top + bottom) / 2.0);
         return canvas.text("nothing to plot: no positive value", middle, Anchor::Centre, TEXT, Colour::Grey);
     };
-    axes(chart, canvas, &frame)?;
+    axes(&chart.x_label, canvas, &frame)?;
     for band in &chart.bands {
         draw_band(band, canvas, &frame)?;
     }
@@ -128,11 +128,12 @@ fn frame<DB: DrawingBackend>(
     Ok(Some(Frame { left, right, top, bottom, x, y }))
 }
 
-fn y_ticks(range: LogRange, height: f64) -> Vec<Tick> {
+pub(super) fn y_ticks(range: LogRange, height: f64) -> Vec<Tick> {
     ticks(range, height, 14.0, |_| TEXT)
 }
 
-fn axes<DB: DrawingBackend>(chart: &Chart, canvas: &Canvas<DB>, frame: &Frame) -> Drawn {
+/// Grid, ticks, the two axes and the name of the lower one.
+pub(super) fn axes<DB: DrawingBackend>(x_label: &str, canvas: &Canvas<DB>, frame: &Frame) -> Drawn {
     let Frame { left, right, top, bottom, x, y } = *frame;
     let width = |label: &str| canvas.text_width(label, TEXT).unwrap_or(100.0);
     for tick in ticks(x, frame.width(), 18.0, width) {
@@ -150,7 +151,7 @@ fn axes<DB: DrawingBackend>(chart: &Chart, canvas: &Canvas<DB>, frame: &Frame) -
     let corners = [(left, top), (left, bottom), (right, bottom)];
     canvas.line(&corners, Colour::Black, 1.5, 1.0)?;
     let middle = (0.5 * (left + right), bottom + 26.0 + 1.1 * LEADING);
-    canvas.text(&chart.x_label, middle, Anchor::Centre, TEXT, Colour::Grey)
+    canvas.text(x_label, middle, Anchor::Centre, TEXT, Colour::Grey)
 }
 
 /// The fitted line over its window, and its 95 % band.

@@ -3,6 +3,8 @@
 use super::canvas::Canvas;
 use super::chart::Chart;
 use super::draw::{Drawn, draw};
+use super::panel_chart::PanelChart;
+use super::panel_draw;
 use super::zone_chart::ZoneChart;
 use super::zone_draw;
 use crate::error::ReportError;
@@ -29,6 +31,14 @@ pub fn png(chart: &Chart) -> Result<Vec<u8>, ReportError> {
 /// As [`png()`].
 pub fn zone_png(chart: &ZoneChart) -> Result<Vec<u8>, ReportError> {
     bitmap(|canvas| zone_draw::draw(chart, canvas))
+}
+
+/// Two panels side by side, as [`png()`].
+///
+/// # Errors
+/// As [`png()`].
+pub fn panel_png(chart: &PanelChart) -> Result<Vec<u8>, ReportError> {
+    bitmap(|canvas| panel_draw::draw(chart, canvas))
 }
 
 fn bitmap(paint: impl Fn(&Canvas<BitMapBackend>) -> Drawn) -> Result<Vec<u8>, ReportError> {

@@ -1,7 +1,7 @@
 //! The least-squares line and how well it fits.
 
 /// `y ≈ intercept + slope · x`.
-pub(super) struct Line {
+pub(crate) struct Line {
     /// Slope.
     pub slope: f64,
     /// Value at `x = 0`.

@@ -28,7 +28,7 @@ pub use of_ledger::{PREFIX as LEDGER, fit_term};
 pub use of_levels::{ROUNDING, all, fit_levels, is_rounding, points, rounding_floor};
 
 use crate::record::Rate;
-use line::Line;
+pub(crate) use line::Line;
 
 /// Fewest levels that make a rate.
 pub const MIN_LEVELS: usize = 4;

@@ -3,6 +3,7 @@
 //! Levels and cases are independent of one another, so they run side by side; the results are put together in the
 //! order of the file, so the records do not depend on the number of threads.
 
+mod alone;
 mod check;
 mod contact;
 mod contact_width;
@@ -12,6 +13,7 @@ mod hard_tests;
 mod level;
 mod overlay;
 mod partial;
+mod processor;
 mod profile;
 mod reference;
 mod refusal;
@@ -35,6 +37,7 @@ use crate::record::{Level, Reference, SCHEMA, StudyRecord, ZoneProfile};
 use crate::reference::overkill::Overkill;
 use crate::study::{Case, ReferencePlan, Scene, Study, Subject};
 use crate::verdict::{self, JudgeInput};
+pub use alone::{Alone, Constraints};
 use check::check_level as level_without_solve;
 pub use check::{CheckedLevel, check_case, check_corners};
 use corners::corners_of;

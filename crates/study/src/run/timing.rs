@@ -1,5 +1,6 @@
 //! Seconds and bytes of a level, kept in a file apart from the record so that records stay identical from run to run.
 
+use super::processor::processor_seconds;
 use serde::{Deserialize, Serialize};
 use std::time::Instant;
 
@@ -18,18 +19,39 @@ pub struct LevelTimes {
     pub error: f64,
     /// Largest resident memory of the process so far, where the system tells.
     pub peak_bytes: Option<u64>,
+    /// Processor seconds of the whole process in each phase, in the order of [`LevelTimes::phases`], where the system tells. They
+    /// are those of the level only where nothing else runs beside it, so they are not written with the others.
+    #[serde(skip)]
+    pub processor: Option<[f64; 5]>,
+}
+
+impl LevelTimes {
+    /// Names of the phases.
+    pub const PHASES: [&'static str; 5] = ["mesh", "assembly", "setup", "solve", "error"];
+
+    /// Seconds of the phases in their order.
+    pub fn phases(&self) -> [f64; 5] {
+        [self.mesh, self.assembly, self.setup, self.solve, self.error]
+    }
 }
 
 /// Times the phases of a level one after the other.
 pub struct Stopwatch {
     last: Instant,
     times: LevelTimes,
+    last_processor: Option<f64>,
+    processor: LevelTimes,
 }
 
 impl Stopwatch {
     /// Starts the first phase.
     pub fn start() -> Self {
-        Self { last: Instant::now(), times: LevelTimes::default() }
+        Self {
+            last: Instant::now(),
+            times: LevelTimes::default(),
+            last_processor: processor_seconds(),
+            processor: LevelTimes::default(),
+        }
     }
 
     /// Ends a phase: `lap(|t| &mut t.mesh)`.
@@ -37,11 +59,17 @@ impl Stopwatch {
         let now = Instant::now();
         *phase(&mut self.times) += (now - self.last).as_secs_f64();
         self.last = now;
+        let used = processor_seconds();
+        if let (Some(used), Some(last)) = (used, self.last_processor) {
+            *phase(&mut self.processor) += used - last;
+        }
+        self.last_processor = used;
     }
 
     /// The times, with the memory's high-water mark.
     pub fn finish(mut self) -> LevelTimes {
         self.times.peak_bytes = peak_bytes();
+        self.times.processor = self.last_processor.map(|_| self.processor.phases());
         self.times
     }
 }

@@ -123,7 +123,7 @@ fn a_body_that_has_lifted_off_comes_back_in_one_iteration() {
         let progress = iteration.advance(&mut cycle);
         assert!(progress.active > 0, "in contact again");
         let least = crate::qp::energy(&discrete.qp, &crate::solver::solve(&discrete.qp, &Settings::default()).x);
-        for _ in 0..15 {
+        for _ in 0..40 {
             iteration.advance(&mut cycle);
         }
         let energy = crate::qp::energy(&discrete.qp, &iteration.x);

@@ -162,6 +162,7 @@ impl Task<'_> {
         watch.lap(|t| &mut t.assembly);
         let solved = self.solve(&problem, &meshed.hierarchy, discrete, &mut watch);
         let level = self.level(index, &meshed, &solved);
+        watch.lap(|t| &mut t.error);
         Ok((level, watch.finish()))
     }
 

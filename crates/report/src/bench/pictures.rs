@@ -1,0 +1,107 @@
+//! The two pictures of a study, as data.
+
+use super::words::{error_source, exponent, machine, name, rounds, threads};
+use crate::plot::{Colour, Panel, PanelChart, Series, Shape, Style};
+use signorini_study::bench::record::{BenchRecord, BenchStudy, Measured, SolverCurve};
+
+/// Error against seconds and error against unknowns, one curve per solver.
+pub fn work_precision(record: &BenchRecord, study: &BenchStudy) -> PanelChart {
+    let error = |run: &Measured| run.relative_error.map(|e| 100.0 * e);
+    let panel = |x_label: &str, x: &dyn Fn(&Measured) -> f64| Panel {
+        x_label: x_label.into(),
+        y_label: "relative error, energy norm (%)".into(),
+        series: solvers(study, &|run| Some((x(run), error(run)?))),
+    };
+    PanelChart {
+        title: format!("Speed against error: {}", name(study)),
+        subtitle: vec![format!("{}; {}, {}", machine(record), threads(record), rounds(record))],
+        panels: [
+            panel("wall seconds to the solution", &|run| run.wall.solution.median),
+            panel("unknowns", &|run| study.sizes[run.level].dofs as f64),
+        ],
+        remarks: vec![
+            error_source(study).into(),
+            "Seconds of mesh, assembly, set-up and solve; solvers of equal errors coincide on the right.".into(),
+        ],
+    }
+}
+
+/// Seconds and bytes per unknown, with what no solver can beat.
+pub fn scaling(record: &BenchRecord, study: &BenchStudy) -> PanelChart {
+    let dofs = |level: usize| study.sizes[level].dofs as f64;
+    let micro = |run: &Measured| Some((dofs(run.level), 1e6 * run.wall.system.median / dofs(run.level)));
+    let mut seconds = solvers(study, &micro);
+    seconds.extend(linear(study));
+    seconds.extend(products(record, study));
+    let mut bytes = solvers(study, &|run| Some((dofs(run.level), run.peak_bytes?.median / dofs(run.level))));
+    bytes.push(floor("the matrix", Colour::Black, over_sizes(study, |s| Some(s.matrix_bytes? as f64 / s.dofs as f64))));
+    let panel = |y_label: &str, series| Panel { x_label: "unknowns N".into(), y_label: y_label.into(), series };
+    let grown = |c: &SolverCurve| {
+        format!("{} {}, all phases {}", c.solver, exponent(c.growth_system), exponent(c.growth_total))
+    };
+    let fitted: Vec<String> = study.solvers.iter().filter(|c| c.growth_total.is_some()).map(grown).collect();
+    PanelChart {
+        title: format!("Seconds and bytes per unknown: {}", name(study)),
+        subtitle: vec![format!("{}; {}, {}", machine(record), threads(record), rounds(record))],
+        panels: [panel("set-up and solve (µs per unknown)", seconds), panel("peak memory (bytes per unknown)", bytes)],
+        remarks: if fitted.is_empty() {
+            Vec::new()
+        } else {
+            vec![format!("Growth of the seconds: {}.", fitted.join("; "))]
+        },
+    }
+}
+
+/// Colour and shape of each solver.
+fn look(solver: &str) -> (Colour, Shape) {
+    match solver {
+        "condensed" => (Colour::Blue, Shape::Circle),
+        "multigrid" => (Colour::Vermillion, Shape::Square),
+        "interior-point" => (Colour::Green, Shape::Triangle),
+        "monotone" => (Colour::Purple, Shape::Diamond),
+        _ => (Colour::Orange, Shape::Diamond),
+    }
+}
+
+fn solvers(study: &BenchStudy, point: &dyn Fn(&Measured) -> Option<(f64, f64)>) -> Vec<Series> {
+    let series = |(rank, curve): (usize, &SolverCurve)| {
+        let (colour, shape) = look(&curve.solver);
+        let points = curve.runs.iter().filter_map(point).collect();
+        Series { label: curve.solver.clone(), colour, style: Style::Marks(shape, rank.min(3) as u8), points }
+    };
+    study.solvers.iter().enumerate().map(series).collect()
+}
+
+/// The linear problem under each solver that has one of its own.
+fn linear(study: &BenchStudy) -> Vec<Series> {
+    let own = study.solvers.iter().filter(|c| c.solver == c.linear_solver);
+    let series = |curve: &SolverCurve| {
+        let dofs = |run: &Measured| study.sizes[run.level].dofs as f64;
+        let of = |run: &Measured| Some((dofs(run), 1e6 * run.linear?.wall.median / dofs(run)));
+        floor(
+            &format!("all pairs tied, {}", curve.solver),
+            look(&curve.solver).0,
+            curve.runs.iter().filter_map(of).collect(),
+        )
+    };
+    own.map(series).collect()
+}
+
+/// One product with the finest matrix, as measured and as the bandwidth of the memory allows.
+fn products(record: &BenchRecord, study: &BenchStudy) -> [Series; 2] {
+    let measured = over_sizes(study, |s| Some(1e6 * s.product?.median / s.dofs as f64));
+    let bandwidth = record.bandwidth.all_threads.map(|b| b.median);
+    let read = over_sizes(study, |s| Some(1e6 * s.matrix_bytes? as f64 / bandwidth? / s.dofs as f64));
+    [floor("one product", Colour::Black, measured), floor("the matrix read once", Colour::Grey, read)]
+}
+
+fn over_sizes(
+    study: &BenchStudy,
+    value: impl Fn(&signorini_study::bench::record::Size) -> Option<f64>,
+) -> Vec<(f64, f64)> {
+    study.sizes.iter().filter_map(|s| Some((s.dofs as f64, value(s)?))).collect()
+}
+
+fn floor(label: &str, colour: Colour, points: Vec<(f64, f64)>) -> Series {
+    Series { label: label.into(), colour, style: Style::Dashes, points }
+}

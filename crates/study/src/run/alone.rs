@@ -1,0 +1,79 @@
+//! One level of a case by itself, for measurements of time and memory that nothing else may disturb.
+
+use super::level::Task;
+use super::timing::LevelTimes;
+use crate::error::RunError;
+use crate::family;
+use crate::record::Level;
+use crate::study::{Case, ReferencePlan, Scene};
+use signorini_contact::assembly;
+use signorini_contact::problem::Problem;
+use signorini_contact::solver::{Method, Settings};
+use signorini_contact::sparse::BlockMatrix;
+use signorini_contact::zone::Zone;
+
+/// What the constraints of the contact zone ask.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Constraints {
+    /// What the scene says: a contact problem.
+    OfScene,
+    /// `n·d = g` at every pair: the linear problem on the same mesh.
+    AllBilateral,
+}
+
+/// A level to be computed alone.
+#[derive(Clone, Copy)]
+pub struct Alone<'a> {
+    /// The case.
+    pub case: &'a Case,
+    /// Its scene.
+    pub scene: &'a Scene,
+    /// Cells of the levels, from the coarsest of the family to the one that is meant.
+    pub cells: &'a [usize],
+}
+
+impl Alone<'_> {
+    /// Meshes, assembles, solves and measures the level, in the phases of a run: against the exact solution where the case has
+    /// one, else for its energy and certificate alone. A second solver and the splitting are no part of a level's time and left out.
+    ///
+    /// # Errors
+    /// As [`run_case`](super::run_case).
+    pub fn run(&self, method: Method, constraints: Constraints) -> Result<(Level, LevelTimes), RunError> {
+        let case = Case { second: None, splitting: None, ..self.case.clone() };
+        let mut scene = self.scene.clone();
+        if constraints == Constraints::AllBilateral {
+            scene.bilateral = (0..scene.contact.pieces().len()).collect();
+        }
+        let settings = Settings { method, ..case.solver };
+        let task = Task { case: &case, scene: &scene, cells: self.cells, settings, constrain: Zone::new };
+        let index = self.cells.len() - 1;
+        match (&scene.exact, constraints) {
+            (Some(exact), Constraints::OfScene) if case.reference == ReferencePlan::Exact => {
+                task.against_exact(exact, index)
+            }
+            _ => task.without_reference(index),
+        }
+    }
+
+    /// The stiffness matrix of the level, in the basis in which contact bounds single components.
+    ///
+    /// # Errors
+    /// As [`Alone::run`].
+    pub fn matrix(&self) -> Result<BlockMatrix, RunError> {
+        let meshed = family::build_level(&self.case.family, &self.scene.domain(), self.cells, self.cells.len() - 1)?;
+        let (mesh, supports) = (meshed.hierarchy.finest(), self.scene.supports());
+        let cubature = self.scene.cubature(0, self.case.fixed_quadrature);
+        let materials = self.scene.materials;
+        let problem = Problem { mesh, materials, supports: &supports, data: self.scene, cubature: &cubature };
+        let load = assembly::loads(mesh, &supports, self.scene, &cubature)?;
+        Ok(self.scene.discretise(&problem, load, Zone::new(mesh))?.qp.matrix)
+    }
+
+    /// Cells, measured mesh size and unknowns of the level; nothing is solved.
+    ///
+    /// # Errors
+    /// As [`Alone::run`].
+    pub fn check(&self) -> Result<super::CheckedLevel, RunError> {
+        super::level_without_solve(self.case, self.scene, self.cells, self.cells.len() - 1)
+    }
+}
