@@ -19,22 +19,43 @@ use crate::mesh::{Locator, Mesh};
 use crate::quadrature::Cubature;
 use crate::sum::ordered_sum;
 use rayon::prelude::*;
+use std::ops::AddAssign;
 
 /// Polygons that leave less than this share of a triangle uncovered cover it.
 const UNCOVERED: f64 = 1e-9;
 
-/// The norms of `v − w` for each of several pairs of a field `v` on the fine mesh and a field `w` on the mesh of `coarse`.
-/// `depth` refines the rule on triangles that are integrated by points: 7 of them, or 64 with a curved side, on each of
-/// `4^depth` pieces.
-pub fn of_located<const N: usize>(
+/// The norms of `v − w` for each of several pairs of a field `v` on the fine mesh and a field `w` on the mesh of `coarse`, once
+/// for every depth. A depth refines the rule on triangles that are integrated by points: 7 of them, or 64 with a curved side,
+/// on each of `4^depth` pieces.
+pub fn of_located<const N: usize, const M: usize>(
     fine: &Mesh,
     materials: &[Material; 2],
     coarse: &Locator,
     pairs: [(&[Vec2], &[Vec2]); N],
-    depth: u32,
-) -> [Squares; N] {
-    let overlay = Overlay { fine, materials, coarse, pairs, cubature: Cubature { depth, ..Default::default() } };
-    ordered_sum(fine.triangles.len(), |t| overlay.triangle(t)).0
+    depths: [u32; M],
+) -> [[Squares; N]; M] {
+    let cubatures = depths.map(|depth| Cubature { depth, ..Default::default() });
+    let overlay = Overlay { fine, materials, coarse, pairs };
+    let sums: EachDepth<N, M> = ordered_sum(fine.triangles.len(), |t| match overlay.by_polygons(t) {
+        Some(exact) => EachDepth([exact; M]),
+        None => EachDepth(cubatures.each_ref().map(|cubature| overlay.by_points(t, cubature))),
+    });
+    sums.0.map(|several| several.0)
+}
+
+/// Sums for several fields, once for every depth.
+struct EachDepth<const N: usize, const M: usize>([Several<N>; M]);
+
+impl<const N: usize, const M: usize> Default for EachDepth<N, M> {
+    fn default() -> Self {
+        Self([Several::default(); M])
+    }
+}
+
+impl<const N: usize, const M: usize> AddAssign for EachDepth<N, M> {
+    fn add_assign(&mut self, other: Self) {
+        self.0.iter_mut().zip(other.0).for_each(|(sum, part)| *sum += part);
+    }
 }
 
 /// Two meshes of the same bodies and what is compared on them.
@@ -43,14 +64,9 @@ struct Overlay<'a, const N: usize> {
     materials: &'a [Material; 2],
     coarse: &'a Locator<'a>,
     pairs: [(&'a [Vec2], &'a [Vec2]); N],
-    cubature: Cubature,
 }
 
 impl<const N: usize> Overlay<'_, N> {
-    fn triangle(&self, t: usize) -> Several<N> {
-        self.by_polygons(t).unwrap_or_else(|| self.by_points(t))
-    }
-
     /// Exactly, if triangle `t` is straight and straight triangles of the coarse mesh cover it.
     fn by_polygons(&self, t: usize) -> Option<Several<N>> {
         if self.fine.curved.of(t).is_some() {
@@ -64,7 +80,11 @@ impl<const N: usize> Overlay<'_, N> {
             if coarse.curved.of(home).is_some() || (1.0 - UNCOVERED) * area <= covered {
                 return;
             }
-            let common = Polygon::common(corners, coarse.corners(home));
+            let others = coarse.corners(home);
+            if are_apart(&corners, &others) {
+                return;
+            }
+            let common = Polygon::common(corners, others);
             let share = common.area();
             if share > 0.0 {
                 covered += share;
@@ -84,12 +104,16 @@ impl<const N: usize> Overlay<'_, N> {
             let coarse_values = coarse.triangles[home].map(|i| w[i as usize]);
             let gradient = minus(displacement_gradient(own, values), displacement_gradient(&theirs, coarse_values));
             sum.add(body, &self.materials[body.index()], common.area(), Vec2::zeros(), gradient);
-            let difference = |x: Vec2| linear(corners, &values, x) - linear(coarse_corners, &coarse_values, x);
+            // linear with the gradient G: (v − w)(x) = (v − w)(a) + G (x − a)
+            let a = common.corners()[0];
+            let at_a = linear(corners, &values, a) - linear(coarse_corners, &coarse_values, a);
+            let [g1, g2] = gradient.map(|[gx, gy]| Vec2::new(gx, gy));
+            let difference = |x: Vec2| at_a + Vec2::new(g1.dot(&(x - a)), g2.dot(&(x - a)));
             sum.l2 += common.triangles().map(|part| square_of_linear(part, &part.map(difference))).sum::<f64>();
         }
     }
 
-    fn by_points(&self, t: usize) -> Several<N> {
+    fn by_points(&self, t: usize, cubature: &Cubature) -> Several<N> {
         let (body, coarse) = (self.fine.body(t), self.coarse.mesh());
         let nodes = self.fine.triangles[t];
         let mut sums = Several::default();
@@ -103,15 +127,26 @@ impl<const N: usize> Overlay<'_, N> {
             }
         };
         match self.fine.curved_triangle(t) {
-            Some(curved) => self.cubature.curved(&curved, &mut |p, w| add(p.x, &p.hats, &p.gradients, w)),
+            Some(curved) => cubature.curved(&curved, &mut |p, w| add(p.x, &p.hats, &p.gradients, w)),
             None => {
                 let corners = self.fine.corners(t);
                 let (gradients, _) = gradients(corners);
-                self.cubature.triangle(corners, &mut |x, w| add(x, &hats(corners, x), &gradients, w));
+                cubature.triangle(corners, &mut |x, w| add(x, &hats(corners, x), &gradients, w));
             }
         }
         sums
     }
+}
+
+/// Whether the boxes around two triangles have no point in common.
+fn are_apart(a: &[Point; 3], b: &[Point; 3]) -> bool {
+    let range = |t: &[Point; 3], k: usize| {
+        (f64::min(t[0][k], f64::min(t[1][k], t[2][k])), f64::max(t[0][k], f64::max(t[1][k], t[2][k])))
+    };
+    (0..2).any(|k| {
+        let ((low_a, high_a), (low_b, high_b)) = (range(a, k), range(b, k));
+        high_a < low_b || high_b < low_a
+    })
 }
 
 fn minus(a: [[f64; 2]; 2], b: [[f64; 2]; 2]) -> [[f64; 2]; 2] {

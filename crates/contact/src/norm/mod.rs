@@ -132,6 +132,7 @@ pub fn of_differences<const N: usize>(
 }
 
 /// Sums for several fields at once.
+#[derive(Clone, Copy)]
 struct Several<const N: usize>([Squares; N]);
 
 impl<const N: usize> Default for Several<N> {

@@ -75,7 +75,7 @@ fn across_nested_meshes_the_difference_is_integrated_exactly() {
     let [coarse, fine] = [3, 6].map(|n| squares(n, Pattern::Structured).build().unwrap());
     let (w, v) = (nodal(&coarse, wave), nodal(&fine, |b, x| 0.9 * wave(b, x)));
     let locator = Locator::new(&coarse);
-    let [across] = of_located(&fine, &materials(), &locator, [(&v, &w)], 0);
+    let [[across]] = of_located(&fine, &materials(), &locator, [(&v, &w)], [0]);
     // the coarse field lies in the fine space: its interpolant there is the field itself
     let lifted = interpolate(&fine, &locator, &w);
     let difference: Vec<Vec2> = v.iter().zip(&lifted).map(|(v, w)| v - w).collect();
@@ -91,7 +91,7 @@ fn a_field_has_the_same_norms_on_every_mesh_of_the_same_bodies() {
         let (w, zero) = (nodal(&coarse, wave), vec![Vec2::zeros(); fine.points.len()]);
         let (locator, own) = (Locator::new(&coarse), of_linear(&coarse, &materials(), &w));
         let off = |depth: u32| {
-            let [across] = of_located(&fine, &materials(), &locator, [(&zero, &w)], depth);
+            let [[across]] = of_located(&fine, &materials(), &locator, [(&zero, &w)], [depth]);
             assert!((across.l2 / own.l2 - 1.0).abs() < 1e-4, "{element:?}: {across:?} {own:?}");
             (across.energy / own.energy - 1.0).abs()
         };
@@ -107,12 +107,12 @@ fn the_interpolant_on_a_finer_mesh_that_is_not_nested_has_less_strain() {
     let w: Vec<Vec2> =
         (0..coarse.points.len()).map(|i| Vec2::new((7.0 * i as f64).sin(), (5.0 * i as f64).cos())).collect();
     let (locator, zero) = (Locator::new(&coarse), vec![Vec2::zeros(); fine.points.len()]);
-    let [itself] = of_located(&fine, &materials(), &locator, [(&zero, &w)], 1);
+    let [[itself]] = of_located(&fine, &materials(), &locator, [(&zero, &w)], [1]);
     let lifted = interpolate(&fine, &locator, &w);
     let interpolant = of_linear(&fine, &materials(), &lifted);
     let share = interpolant.energy_norm() / itself.energy_norm();
     assert!((0.5..0.95).contains(&share), "{share}");
     // what the interpolant lost is what stands between the two
-    let [lost] = of_located(&fine, &materials(), &locator, [(&lifted, &w)], 1);
+    let [[lost]] = of_located(&fine, &materials(), &locator, [(&lifted, &w)], [1]);
     assert!(lost.energy_norm() > 0.3 * itself.energy_norm(), "{lost:?}");
 }

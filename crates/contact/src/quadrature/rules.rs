@@ -2,6 +2,28 @@
 
 use crate::geometry::{Point, twice_area};
 
+/// The 3-point rule of degree 2 with its points inside the triangle.
+pub fn three_points(t: [Point; 3], visit: &mut impl FnMut(Point, f64)) {
+    let area = 0.5 * twice_area(t[0], t[1], t[2]).abs();
+    let centroid = (t[0] + t[1] + t[2]) / 3.0;
+    for corner in t {
+        visit(0.5 * (centroid + corner), area / 3.0);
+    }
+}
+
+/// The 6-point rule of degree 4 (Cowper 1973): two orbits, with closed forms in `√10`.
+pub fn six_points(t: [Point; 3], visit: &mut impl FnMut(Point, f64)) {
+    let area = 0.5 * twice_area(t[0], t[1], t[2]).abs();
+    let centroid = (t[0] + t[1] + t[2]) / 3.0;
+    for (a, w) in
+        [(0.445_948_490_915_964_9, 0.223_381_589_678_011_47), (0.091_576_213_509_770_74, 0.109_951_743_655_321_87)]
+    {
+        for corner in t {
+            visit(centroid + (1.0 - 3.0 * a) * (corner - centroid), w * area);
+        }
+    }
+}
+
 /// The 7-point rule of degree 5 (Radon 1948): the centroid and two orbits at `(6 ∓ √15)/21`.
 pub fn seven_points(t: [Point; 3], visit: &mut impl FnMut(Point, f64)) {
     let area = 0.5 * twice_area(t[0], t[1], t[2]).abs();
@@ -40,17 +62,26 @@ pub fn sixteen_points(t: [Point; 3], visit: &mut impl FnMut(Point, f64)) {
 
 /// The conical product of two Gauss–Legendre rules of 6 points, exact to degree 10: for integrands that one rule of
 /// degree 5 does not resolve. `x = a + s((b − a) + t(c − b))`, Jacobian `2|T| s`.
-pub fn conical_points([a, b, c]: [Point; 3], visit: &mut impl FnMut(Point, f64)) {
+pub fn conical_points(triangle: [Point; 3], visit: &mut impl FnMut(Point, f64)) {
+    conical(triangle, &GAUSS_6, visit);
+}
+
+/// The conical product of two Gauss–Legendre rules of 8 points, exact to degree 14.
+pub fn conical_sixty_four(triangle: [Point; 3], visit: &mut impl FnMut(Point, f64)) {
+    conical(triangle, &GAUSS_8, visit);
+}
+
+fn conical([a, b, c]: [Point; 3], rule: &[(f64, f64)], visit: &mut impl FnMut(Point, f64)) {
     let twice = twice_area(a, b, c).abs();
-    for (s, ws) in SIX_POINTS {
-        for (t, wt) in SIX_POINTS {
+    for &(s, ws) in rule {
+        for &(t, wt) in rule {
             visit(a + s * ((b - a) + t * (c - b)), twice * s * ws * wt);
         }
     }
 }
 
-/// Nodes and weights of the Gauss–Legendre rule of 6 points on `(0, 1)`.
-const SIX_POINTS: [(f64, f64); 6] = [
+/// Nodes and weights of the Gauss–Legendre rule of 6 points on `(0, 1)`, exact to degree 11.
+pub const GAUSS_6: [(f64, f64); 6] = [
     (0.033_765_242_898_423_99, 0.085_662_246_189_585_17),
     (0.169_395_306_766_867_74, 0.180_380_786_524_069_3),
     (0.380_690_406_958_401_56, 0.233_956_967_286_345_52),

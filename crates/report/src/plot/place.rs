@@ -34,11 +34,11 @@ pub(crate) struct Rect {
 }
 
 impl Rect {
-    /// Distance of a point from the rectangle; 0 inside.
-    pub fn distance(&self, (x, y): (f64, f64)) -> f64 {
+    /// Square of the distance of a point from the rectangle; 0 inside.
+    fn squared_distance(&self, (x, y): (f64, f64)) -> f64 {
         let dx = (self.left - x).max(x - self.left - self.width).max(0.0);
         let dy = (self.top - y).max(y - self.top - self.height).max(0.0);
-        dx.hypot(dy)
+        dx * dx + dy * dy
     }
 
     /// Points along the sides and inside, at most `step` apart: the rectangle as an obstacle.
@@ -94,24 +94,35 @@ pub(crate) fn free_place(
     });
     let mut best: Option<(f64, Rect)> = None;
     for candidate in boxes {
-        let score = score(&candidate, obstacles, near);
-        if best.is_none_or(|(least, _)| score < least) {
+        let least = best.map_or(f64::INFINITY, |(least, _)| least);
+        let score = score(&candidate, obstacles, near, least);
+        if score < least {
             best = Some((score, candidate));
         }
     }
     best.map_or(area, |(_, rect)| rect)
 }
 
-/// Smaller is better: distance to `near` for a clear box, a large number that falls with the clearance otherwise.
-fn score(rect: &Rect, obstacles: &[(f64, f64)], near: &[(f64, f64)]) -> f64 {
-    let nearest = |points: &[(f64, f64)]| points.iter().map(|p| rect.distance(*p)).fold(f64::INFINITY, f64::min);
-    let clearance = nearest(obstacles);
+/// Scores of boxes that are not clear lie above this one.
+const CROWDED: f64 = 1e5;
+
+/// Smaller is better: distance to `near` for a clear box, a large number that falls with the clearance otherwise. Infinite for
+/// a box that is seen early to be no better than `least`.
+fn score(rect: &Rect, obstacles: &[(f64, f64)], near: &[(f64, f64)], least: f64) -> f64 {
+    let mut clearance = f64::INFINITY;
+    for obstacle in obstacles {
+        clearance = rect.squared_distance(*obstacle).min(clearance);
+        if clearance < CLEAR * CLEAR && least <= CROWDED {
+            return f64::INFINITY;
+        }
+    }
+    let clearance = clearance.sqrt();
     if clearance < CLEAR {
-        return 1e6 - clearance;
+        return 10.0 * CROWDED - clearance;
     }
     let centre = (rect.left + rect.width / 2.0, rect.top + rect.height / 2.0);
     let reach = near.iter().map(|p| (p.0 - centre.0).hypot(p.1 - centre.1));
-    reach.fold(1e5, f64::min)
+    reach.fold(CROWDED, f64::min)
 }
 
 #[cfg(test)]
@@ -142,11 +153,11 @@ mod tests {
         let area = Rect { left: 0.0, top: 0.0, width: 400.0, height: 400.0 };
         let diagonal = along(&[(0.0, 400.0), (400.0, 0.0)], 5.0);
         let place = free_place(area, (100.0, 80.0), &diagonal, &[(200.0, 200.0)]);
-        let clearance = diagonal.iter().map(|p| place.distance(*p)).fold(f64::INFINITY, f64::min);
-        assert!(clearance >= CLEAR, "{place:?}");
+        let clearance = diagonal.iter().map(|p| place.squared_distance(*p)).fold(f64::INFINITY, f64::min);
+        assert!(clearance >= CLEAR * CLEAR, "{place:?}");
         assert!(place.left >= 0.0 && place.left + place.width <= 400.0);
         let inside = Rect { left: 10.0, top: 10.0, width: 5.0, height: 5.0 };
-        assert_eq!(inside.distance((12.0, 12.0)), 0.0);
-        assert_eq!(inside.distance((18.0, 19.0)), 5.0);
+        assert_eq!(inside.squared_distance((12.0, 12.0)), 0.0);
+        assert_eq!(inside.squared_distance((18.0, 19.0)), 25.0);
     }
 }

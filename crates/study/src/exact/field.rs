@@ -1,9 +1,7 @@
 //! From one formula, generic in its numbers, to values, first and second derivatives.
 
 use super::{Exact, Jet, Jet2};
-use crate::expr::Real;
-use nalgebra::{Matrix1x2, Matrix2};
-use num_dual::{Dual2SVec64, DualSVec64};
+use crate::expr::{Dual, Dual2, Real};
 use signorini_contact::{Body, Point, Vec2, geometry::Segment};
 
 /// A displacement as one formula. Everything that is a `Field` is [`Exact`] by automatic differentiation.
@@ -35,16 +33,17 @@ impl<F: Field> Exact for F {
     }
 
     fn jet(&self, body: Body, x: Point) -> Jet {
-        let u = self.eval(body, DualSVec64::from_re(x.x).derivative(0), DualSVec64::from_re(x.y).derivative(1));
-        Jet { value: Vec2::new(u[0].re, u[1].re), gradient: u.map(|c| c.eps.0.map_or([0.0; 2], |v| [v[0], v[1]])) }
+        let u = self.eval(body, Dual::variable(x.x, 0), Dual::variable(x.y, 1));
+        Jet { value: Vec2::new(u[0].re, u[1].re), gradient: u.map(|c| c.gradient) }
     }
 
     fn jet2(&self, body: Body, x: Point) -> Jet2 {
-        let u = self.eval(body, Dual2SVec64::from_re(x.x).derivative(0), Dual2SVec64::from_re(x.y).derivative(1));
+        let u = self.eval(body, Dual2::variable(x.x, 0), Dual2::variable(x.y, 1));
+        let square = |[xx, xy, yy]: [f64; 3]| [[xx, xy], [xy, yy]];
         Jet2 {
             value: Vec2::new(u[0].re, u[1].re),
-            gradient: u.map(|c| row(c.v1.0.unwrap_or_else(Matrix1x2::zeros))),
-            hessian: u.map(|c| square(c.v2.0.unwrap_or_else(Matrix2::zeros))),
+            gradient: u.map(|c| c.gradient),
+            hessian: u.map(|c| square(c.hessian)),
         }
     }
 
@@ -63,14 +62,4 @@ impl<F: Field> Exact for F {
     fn notes(&self) -> Vec<String> {
         Field::notes(self)
     }
-}
-
-fn row(v: Matrix1x2<f64>) -> [f64; 2] {
-    [v[0], v[1]]
-}
-
-/// The two mixed derivatives are summed in different orders; their mean makes the result symmetric to the last bit.
-fn square(h: Matrix2<f64>) -> [[f64; 2]; 2] {
-    let mixed = 0.5 * (h[(0, 1)] + h[(1, 0)]);
-    [[h[(0, 0)], mixed], [mixed, h[(1, 1)]]]
 }

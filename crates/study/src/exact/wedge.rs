@@ -48,20 +48,20 @@ pub(super) fn notes(alpha: f64) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use num_dual::DualSVec64;
+    use crate::expr::Dual;
 
     /// The table above, on both sides of the origin, and the formulas in plain polar coordinates inside.
     #[test]
     fn traces_and_normal_derivatives_are_the_stated_ones() {
         for alpha in [0.4, 1.0, 1.5] {
             for x in [0.3, -0.3] {
-                let [a, b] = [DualSVec64::<2>::from_re(x).derivative(0), DualSVec64::<2>::from_re(0.0).derivative(1)];
+                let [a, b] = [Dual::variable(x, 0), Dual::variable(0.0, 1)];
                 let w = Wedge::new(a, b, alpha);
                 let (open, closed) = if x > 0.0 { (1.0, 0.0) } else { (0.0, 1.0) };
                 let (value, slope) = (0.3f64.powf(alpha), 0.3f64.powf(alpha - 1.0));
                 let expected = [(open * value, 0.0), (0.0, open * slope), (0.0, closed * slope)];
                 for (got, (trace, normal)) in [w.open, w.slide, w.press].into_iter().zip(expected) {
-                    assert!((got.re - trace).abs() < 1e-15 && (got.eps.0.unwrap()[1] - normal).abs() < 1e-14);
+                    assert!((got.re - trace).abs() < 1e-15 && (got.gradient[1] - normal).abs() < 1e-14);
                 }
             }
             for theta in [0.4f64, 1.7, 3.1] {

@@ -81,8 +81,8 @@ impl Unary {
         match self {
             Self::Abs => x.chain(t.abs(), sign(t), 0.0),
             Self::Sqrt => scalar::sqrt(x),
-            Self::Sin => x.sin(),
-            Self::Cos => x.cos(),
+            Self::Sin => x.sin_cos().0,
+            Self::Cos => x.sin_cos().1,
             Self::Tan => {
                 let f = t.tan();
                 x.chain(f, 1.0 + f * f, 2.0 * f * (1.0 + f * f))
@@ -92,8 +92,8 @@ impl Unary {
             Self::Atan => x.atan(),
             Self::Exp => x.exp(),
             Self::Log => x.chain(t.ln(), 1.0 / t, -1.0 / (t * t)),
-            Self::Sinh => x.sinh(),
-            Self::Cosh => x.cosh(),
+            Self::Sinh => x.chain(t.sinh(), t.cosh(), t.sinh()),
+            Self::Cosh => x.chain(t.cosh(), t.sinh(), t.cosh()),
             Self::Tanh => {
                 let f = t.tanh();
                 x.chain(f, 1.0 - f * f, -2.0 * f * (1.0 - f * f))

@@ -24,6 +24,9 @@
 
 mod build;
 mod derivative;
+mod dual;
+#[cfg(test)]
+mod dual_tests;
 mod error;
 mod functions;
 mod lexer;
@@ -33,6 +36,7 @@ mod scalar;
 mod tests;
 mod tree;
 
+pub use dual::{Dual, Dual2};
 pub use error::ExprError;
 pub use scalar::{Real, atan2, positive_power, power, sqrt};
 

@@ -1,10 +1,29 @@
 //! Numbers that carry derivatives, and the functions whose derivatives need care at the edge of their domain.
 
-use nalgebra::{Matrix1x2, Matrix2, Vector2};
-use num_dual::{Derivative, Dual2SVec64, DualNum, DualSVec64, DualStruct};
+use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
 /// A number with no, first, or first and second derivatives in the plane.
-pub trait Real: DualNum<Primitive = f64> + DualStruct<Real = f64> + Copy + Send + Sync {
+pub trait Real:
+    Copy
+    + Send
+    + Sync
+    + From<f64>
+    + Neg<Output = Self>
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Add<f64, Output = Self>
+    + Sub<f64, Output = Self>
+    + Mul<f64, Output = Self>
+    + Div<f64, Output = Self>
+    + AddAssign
+    + SubAssign
+    + MulAssign
+{
+    /// The value.
+    fn re(&self) -> f64;
+
     /// `f(self)`, given `f`, `f'` and `f''` at the value of `self`. A derivative that is infinite there stays out of
     /// the directions in which `self` does not move: `0 · ∞` counts as 0.
     #[must_use]
@@ -13,64 +32,65 @@ pub trait Real: DualNum<Primitive = f64> + DualStruct<Real = f64> + Copy + Send 
     /// `f(x, y)`, given `f`, its derivatives `f_x, f_y` and `f_xx, f_xy, f_yy` at the values of `x` and `y`, all finite.
     #[must_use]
     fn chain_plane(x: Self, y: Self, f0: f64, f1: [f64; 2], f2: [f64; 3]) -> Self;
+
+    /// `1/self`.
+    #[inline]
+    #[must_use]
+    fn recip(self) -> Self {
+        let f = 1.0 / self.re();
+        self.chain(f, -f * f, 2.0 * f * f * f)
+    }
+
+    /// Sine and cosine.
+    #[inline]
+    #[must_use]
+    fn sin_cos(self) -> (Self, Self) {
+        let (s, c) = self.re().sin_cos();
+        (self.chain(s, c, -s), self.chain(c, -s, -c))
+    }
+
+    /// `e^self`.
+    #[inline]
+    #[must_use]
+    fn exp(self) -> Self {
+        let f = self.re().exp();
+        self.chain(f, f, f)
+    }
+
+    /// The natural logarithm.
+    #[inline]
+    #[must_use]
+    fn ln(self) -> Self {
+        let (t, inverse) = (self.re(), 1.0 / self.re());
+        self.chain(t.ln(), inverse, -inverse * inverse)
+    }
+
+    /// The arc tangent.
+    #[inline]
+    #[must_use]
+    fn atan(self) -> Self {
+        let t = self.re();
+        // f' = 1/(1 + t²), f'' = −2t f'²
+        let slope = 1.0 / (1.0 + t * t);
+        self.chain(t.atan(), slope, -2.0 * t * slope * slope)
+    }
 }
 
 impl Real for f64 {
+    #[inline]
+    fn re(&self) -> f64 {
+        *self
+    }
+
+    #[inline]
     fn chain(self, f0: f64, _: f64, _: f64) -> Self {
         f0
     }
 
+    #[inline]
     fn chain_plane(_: Self, _: Self, f0: f64, _: [f64; 2], _: [f64; 3]) -> Self {
         f0
     }
-}
-
-impl Real for DualSVec64<2> {
-    #[inline]
-    fn chain(self, f0: f64, f1: f64, _: f64) -> Self {
-        // ∂_i f = f' ∂_i x
-        let eps = self.eps.0.map(|v| Vector2::new(times(v[0], f1), times(v[1], f1)));
-        Self::new(f0, Derivative::new(eps))
-    }
-
-    #[inline]
-    fn chain_plane(x: Self, y: Self, f0: f64, f1: [f64; 2], _: [f64; 3]) -> Self {
-        Self::new(f0, x.eps * f1[0] + y.eps * f1[1])
-    }
-}
-
-impl Real for Dual2SVec64<2> {
-    #[inline]
-    fn chain(self, f0: f64, f1: f64, f2: f64) -> Self {
-        let Some(v) = self.v1.0 else {
-            return Self::from_re(f0);
-        };
-        let first = Matrix1x2::new(times(v[0], f1), times(v[1], f1));
-        // ∂_i ∂_j f = f'' ∂_i x ∂_j x + f' ∂_i ∂_j x
-        let h = self.v2.0.unwrap_or_else(Matrix2::zeros);
-        let entry = |vv: f64, h: f64| times(vv, f2) + times(h, f1);
-        let mixed = entry(v[0] * v[1], h[2]);
-        let second = Matrix2::new(entry(v[0] * v[0], h[0]), mixed, mixed, entry(v[1] * v[1], h[3]));
-        Self::new(f0, Derivative::some(first), Derivative::some(second))
-    }
-
-    #[inline]
-    fn chain_plane(x: Self, y: Self, f0: f64, f1: [f64; 2], f2: [f64; 3]) -> Self {
-        let a = x.v1.0.unwrap_or_else(Matrix1x2::zeros);
-        let b = y.v1.0.unwrap_or_else(Matrix1x2::zeros);
-        // ∂_i ∂_j f = f_xx a_i a_j + f_xy (a_i b_j + b_i a_j) + f_yy b_i b_j + f_x ∂_i ∂_j x + f_y ∂_i ∂_j y
-        let bend = |i: usize, j: usize| f2[0] * a[i] * a[j] + f2[1] * (a[i] * b[j] + b[i] * a[j]) + f2[2] * b[i] * b[j];
-        let mixed = bend(0, 1);
-        let second = Matrix2::new(bend(0, 0), mixed, mixed, bend(1, 1));
-        Self::new(f0, x.v1 * f1[0] + y.v1 * f1[1], Derivative::some(second) + x.v2 * f1[0] + y.v2 * f1[1])
-    }
-}
-
-/// `a f`, but 0 for `a = 0` whatever `f` is.
-#[inline]
-fn times(a: f64, f: f64) -> f64 {
-    let product = a * f;
-    if product.is_nan() && a == 0.0 { 0.0 } else { product }
 }
 
 /// `√x`; at 0 the derivatives are infinite.
@@ -115,6 +135,7 @@ pub fn positive_power<D: Real>(x: D, n: f64) -> D {
 }
 
 /// The angle of `(x, y)` in `[−π, π]`. The sign of a zero `y` does not count: on the negative axis the angle is `π`.
+#[inline]
 pub fn atan2<D: Real>(y: D, x: D) -> D {
     let (b, a) = (y.re() + 0.0, x.re());
     let angle = b.atan2(a);
@@ -129,16 +150,15 @@ pub fn atan2<D: Real>(y: D, x: D) -> D {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::expr::{Dual, Dual2};
 
-    fn variable(x: f64) -> Dual2SVec64<2> {
-        Dual2SVec64::from_re(x).derivative(0)
+    fn variable(x: f64) -> Dual2 {
+        Dual2::variable(x, 0)
     }
 
-    fn parts(d: Dual2SVec64<2>) -> (f64, f64, f64) {
-        let v1 = d.v1.0.unwrap_or_else(Matrix1x2::zeros);
-        let v2 = d.v2.0.unwrap_or_else(Matrix2::zeros);
-        assert_eq!((v1[1], v2[(0, 1)], v2[(1, 1)]), (0.0, 0.0, 0.0));
-        (d.re, v1[0], v2[(0, 0)])
+    fn parts(d: Dual2) -> (f64, f64, f64) {
+        assert_eq!((d.gradient[1], d.hessian[1], d.hessian[2]), (0.0, 0.0, 0.0));
+        (d.re, d.gradient[0], d.hessian[0])
     }
 
     #[test]
@@ -175,24 +195,21 @@ mod tests {
     /// Against products of the number type itself, for curved `x`, `y`.
     #[test]
     fn a_function_of_two_numbers_has_the_chain_rule() {
-        let s = Dual2SVec64::<2>::from_re(0.7).derivative(0);
-        let t = Dual2SVec64::<2>::from_re(-1.3).derivative(1);
+        let (s, t) = (Dual2::variable(0.7, 0), Dual2::variable(-1.3, 1));
         let (x, y) = (s * t, t * t + s);
         let (a, b) = (x.re, y.re);
         let expected = x * x * y;
-        let got = Dual2SVec64::chain_plane(x, y, a * a * b, [2.0 * a * b, a * a], [2.0 * b, 2.0 * a, 0.0]);
+        let got = Dual2::chain_plane(x, y, a * a * b, [2.0 * a * b, a * a], [2.0 * b, 2.0 * a, 0.0]);
         assert!((got.re - expected.re).abs() < 1e-15);
-        assert!((got.v1.0.unwrap() - expected.v1.0.unwrap()).norm() < 1e-14);
-        assert!((got.v2.0.unwrap() - expected.v2.0.unwrap()).norm() < 1e-13);
+        assert!((0..2).all(|i| (got.gradient[i] - expected.gradient[i]).abs() < 1e-14));
+        assert!((0..3).all(|i| (got.hessian[i] - expected.hessian[i]).abs() < 1e-13));
     }
 
     #[test]
     fn the_angle_keeps_to_one_branch_and_has_its_derivatives_on_the_axes() {
         assert_eq!(atan2(-0.0, -1.0), std::f64::consts::PI);
         for (a, b) in [(1.0, 0.0), (0.0, 2.0), (-3.0, 0.0), (0.0, -0.5), (0.3, 0.4)] {
-            let x = DualSVec64::<2>::from_re(a).derivative(0);
-            let y = DualSVec64::<2>::from_re(b).derivative(1);
-            let d = atan2(y, x).eps.0.unwrap();
+            let d = atan2(Dual::variable(b, 1), Dual::variable(a, 0)).gradient;
             let r2 = a * a + b * b;
             assert!((d[0] + b / r2).abs() < 1e-15 && (d[1] - a / r2).abs() < 1e-15);
         }

@@ -5,8 +5,7 @@ use super::field::expression_fault;
 use super::raw::{RawCircle, RawCurve, RawGraph};
 use super::shape::point;
 use super::words::suggestion;
-use crate::expr::Expression;
-use num_dual::Dual2SVec64;
+use crate::expr::{Dual2, Expression};
 use signorini_contact::geometry::{CircularArc, Graph, SharedCurve, Spline};
 use signorini_contact::{Point, Vec2};
 use std::collections::BTreeMap;
@@ -125,8 +124,8 @@ const ETA: &str = "eta";
 
 /// `f, f', f''`.
 fn jet(xi: &Expression, eta: f64) -> [f64; 3] {
-    let f = xi.eval(&[Dual2SVec64::<2>::from_re(eta).derivative(0)]);
-    [f.re, f.v1.0.map_or(0.0, |v| v[0]), f.v2.0.map_or(0.0, |v| v[(0, 0)])]
+    let f = xi.eval(&[Dual2::variable(eta, 0)]);
+    [f.re, f.gradient[0], f.hessian[0]]
 }
 
 fn finite(xi: &Expression, from: f64, to: f64, span: Range<usize>) -> Result<(), Fault> {

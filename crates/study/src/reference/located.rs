@@ -31,9 +31,9 @@ impl Located {
         let (on_level, on_fine) = (Locator::new(mesh), Locator::new(fine));
         let u_i = interpolate(mesh, &on_fine, u_ref);
         let lifted = interpolate(fine, &on_level, u_h);
-        let [rough] = of_located(fine, materials, &on_level, [(u_ref, u_h)], DEPTH);
         let pairs: [(&[Vec2], &[Vec2]); 3] = [(u_ref, u_h), (u_ref, &u_i), (&lifted, u_h)];
-        let [error, interpolation, unresolved] = of_located(fine, materials, &on_level, pairs, DEPTH + 1);
+        let [[rough, ..], [error, interpolation, unresolved]] =
+            of_located(fine, materials, &on_level, pairs, [DEPTH, DEPTH + 1]);
         let quadrature = (error.energy_norm() - rough.energy_norm()).abs();
         Self { error, interpolation, unresolved, quadrature }
     }

@@ -49,7 +49,9 @@ pub use refusal::check_refusal;
 pub use signorini_contact::solver::Method;
 use signorini_contact::solver::Settings;
 use signorini_contact::zone::Zone;
+use std::cmp::Reverse;
 use std::path::PathBuf;
+use std::sync::OnceLock;
 use timing::{LevelTimes, Stopwatch};
 
 /// How large the meshes are.
@@ -108,7 +110,7 @@ const LARGE: usize = 512;
 
 /// Calls `one` for every case of the studies, cases with large meshes one after the other and everything else side by
 /// side. Results come study by study, in the order of the files.
-pub fn each_case<T: Send>(
+pub fn each_case<T: Send + Sync>(
     studies: &[Study],
     settings: &RunSettings,
     one: impl Fn(&Study, &Case) -> T + Sync,
@@ -117,11 +119,30 @@ pub fn each_case<T: Send>(
     let is_large = |case: &Case| {
         cells_of(case, settings).iter().copied().chain(reference_cells(case, settings)).any(|n| n > LARGE)
     };
-    let large: Vec<Option<T>> = all.iter().map(|(study, case)| is_large(case).then(|| one(study, case))).collect();
-    let side_by_side = all.par_iter().with_max_len(1).zip(large);
-    let results: Vec<T> = side_by_side.map(|((s, c), known)| known.unwrap_or_else(|| one(s, c))).collect();
+    let done: Vec<OnceLock<T>> = all.iter().map(|_| OnceLock::new()).collect();
+    let run = |k: usize| {
+        let (study, case) = all[k];
+        // each number is run once, so the place is free
+        let _ = done[k].set(one(study, case));
+    };
+    let (large, mut rest): (Vec<usize>, Vec<usize>) = (0..all.len()).partition(|&k| is_large(all[k].1));
+    large.into_iter().for_each(&run);
+    // the longest first, so that no thread is left with a long one at the end
+    rest.sort_by_key(|&k| Reverse(area(all[k].1, settings)));
+    rayon::scope_fifo(|scope| {
+        rest.iter().for_each(|&k| {
+            let run = &run;
+            scope.spawn_fifo(move |_| run(k))
+        })
+    });
+    let results: Vec<T> = done.into_iter().filter_map(OnceLock::into_inner).collect();
     let mut results = results.into_iter();
     studies.iter().map(|s| results.by_ref().take(s.cases.len()).collect()).collect()
+}
+
+/// How much there is to do, roughly: the cells of all meshes, up to a factor.
+fn area(case: &Case, settings: &RunSettings) -> usize {
+    cells_of(case, settings).iter().copied().chain(reference_cells(case, settings)).map(|n| n * n).sum()
 }
 
 /// Runs one case.

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::family::build_level;
-use crate::reference::exact::{Integrals, Pair};
+use crate::reference::exact::Pair;
 use crate::sample;
 use crate::study::{Case, Scene};
 use signorini_contact::mesh::Mesh;
@@ -15,7 +15,7 @@ struct Setting {
     case: Case,
     mesh: Mesh,
     interpolant: Vec<Vec2>,
-    fine: Integrals,
+    pair: Pair,
     discrete: Discrete,
     solution: Solution,
 }
@@ -28,14 +28,14 @@ impl Setting {
         let exact = scene.exact.as_ref().unwrap();
         let at = |(x, body): (&Vec2, &_)| exact.solution.value(*body, *x);
         let interpolant: Vec<Vec2> = mesh.points.iter().zip(&mesh.node_bodies).map(at).collect();
-        let fine = Pair::new(scene, exact, &mesh, &interpolant, false).unwrap().fine;
+        let pair = Pair::new(scene, exact, &mesh, &interpolant, false).unwrap();
         let (supports, cubature) = (scene.supports(), scene.cubature(1, false));
         let problem =
             Problem { mesh: &mesh, materials: scene.materials, supports: &supports, data: scene, cubature: &cubature };
-        let discrete = problem.discretise_with(fine.load.clone()).unwrap();
+        let discrete = problem.discretise_with(pair.fine.load.clone()).unwrap();
         let raw = solve(&discrete.qp, &Settings::default());
         let solution = discrete.recover(&mesh, &scene.materials, raw);
-        Self { mesh, interpolant, fine, discrete, solution, case }
+        Self { mesh, interpolant, pair, discrete, solution, case }
     }
 
     fn scene(&self) -> &Scene {
@@ -43,7 +43,8 @@ impl Setting {
     }
 
     fn forms(&self) -> Forms<'_> {
-        self.fine.forms(&self.mesh, &self.scene().materials, &self.interpolant)
+        let [_, fine] = self.pair.forms(&self.mesh, &self.scene().materials, &self.interpolant);
+        fine
     }
 
     fn random(&self) -> Random<'_> {
@@ -54,7 +55,7 @@ impl Setting {
     /// `A(e,e)`.
     fn square(&self) -> f64 {
         let d: Vec<Vec2> = self.interpolant.iter().zip(&self.solution.displacement).map(|(a, b)| a - b).collect();
-        self.fine.error(&self.mesh, &self.scene().materials, &d).energy
+        self.pair.error(&self.mesh, &self.scene().materials, &d).fine.energy
     }
 
     fn sides(&self, estimate: Estimate, v: Option<&[Vec2]>, v_h: &[Vec2]) -> Sides {
@@ -63,7 +64,7 @@ impl Setting {
 
     /// `A(u, v−u) − f(v−u)` by Green's formula, from the contact stress and the reactions.
     fn residual_of_u(&self, v: &[Vec2]) -> f64 {
-        self.fine.contact_work(v) + self.fine.reaction_work(v)
+        self.pair.fine.contact_work(v) + self.pair.fine.reaction_work(v)
     }
 
     /// `A(u_h, v_h−u_h) − f(v_h−u_h) = −Σ λ_c (x_c(v_h) − x_c(u_h))`, from the multipliers.
@@ -85,7 +86,7 @@ const SCENES: [(&str, &str, f64); 3] = [
 fn the_slack_is_the_sum_of_the_residuals_of_the_two_inequalities() {
     for (study, case, tolerance) in SCENES {
         let s = Setting::new(study, case, 6);
-        let scale = s.fine.solution.energy;
+        let scale = s.pair.fine.solution.energy;
         for k in 0..3 {
             let distance = [0.01, 0.1, 1.0][k as usize] * scale.sqrt();
             let x_h = s.random().components(11, k, distance);

@@ -33,9 +33,9 @@ impl CurvedPart {
         }
     }
 
-    /// Squares of `w + d` for nodal values `d`: `‖w‖² + 2(w, d) + ‖d‖²`.
-    pub fn error(&self, triangle: &CurvedTriangle, body: Body, material: &Material, d: [Vec2; 3]) -> Squares {
-        let mut squares = self.element.interpolation;
+    /// `2(w, d) + ‖d‖²` for nodal values `d`.
+    pub fn remainder(&self, triangle: &CurvedTriangle, body: Body, material: &Material, d: [Vec2; 3]) -> Squares {
+        let mut squares = Squares::default();
         triangle.points(&mut |p, w| squares.add(body, material, w, p.value(&d), p.gradient(&d)));
         // ∫ ∂_j w_i ∂_l d_m
         let mixed = |(i, j): (usize, usize), (m, l): (usize, usize)| -> f64 {

@@ -12,6 +12,9 @@
 mod contact;
 mod curved;
 mod element;
+mod gather;
+mod kept;
+mod resolve;
 #[cfg(test)]
 mod tests;
 
@@ -19,7 +22,9 @@ use crate::splitting::Forms;
 use crate::study::{ExactScene, PartCondition, Scene};
 use contact::ContactLoad;
 use curved::CurvedPart;
-use element::{Element, ElementIntegrand};
+use element::ElementIntegrand;
+use gather::{Gathered, Sums, of_curved};
+use kept::{Kept, Remainder};
 use rayon::prelude::*;
 use signorini_contact::material::Material;
 use signorini_contact::mesh::Mesh;
@@ -28,7 +33,6 @@ use signorini_contact::problem::Data;
 use signorini_contact::quadrature::Cubature;
 use signorini_contact::sum::ordered_sum;
 use signorini_contact::{Error, Vec2, assembly};
-use std::collections::BTreeMap;
 
 /// A piece of an element is not split more often than this.
 const DEEPEST: u32 = 6;
@@ -41,7 +45,6 @@ const SMALLEST_SHARE: f64 = 1e-4;
 
 /// Integrals of the exact solution over a mesh with one quadrature.
 pub struct Integrals {
-    elements: Vec<Element>,
     /// Squares of the interpolation error `u − u_I`.
     pub interpolation: Squares,
     /// Squares of `u` itself.
@@ -54,8 +57,6 @@ pub struct Integrals {
     contact: Vec<ContactLoad>,
     /// `∫ τ(u)n·u ds` and `∫ τ(u)n φ ds` over every side of `Γ_u`, with the nodes of its triangle.
     reactions: Vec<([u32; 3], [Vec2; 3], f64)>,
-    /// Elements with a curved side, by number.
-    curved: BTreeMap<u32, CurvedPart>,
 }
 
 /// The same integrals by two quadratures, the second of higher degree or one refinement finer on every element.
@@ -64,6 +65,18 @@ pub struct Pair {
     pub base: Integrals,
     /// The finer one: what is used.
     pub fine: Integrals,
+    /// What straight elements leave for the errors.
+    kept: Vec<Kept>,
+    /// Elements with a curved side, by number in ascending order.
+    curved: Vec<(u32, [CurvedPart; 2])>,
+}
+
+/// The error `u − u_h` by both quadratures.
+pub struct ErrorSquares {
+    /// Its squares by the finer one.
+    pub fine: Squares,
+    /// `A(e,e)` by the coarser one.
+    pub base_energy: f64,
 }
 
 impl Pair {
@@ -91,22 +104,49 @@ impl Pair {
         let curved: Vec<(u32, [CurvedPart; 2])> = (mesh.curved.sides.par_iter())
             .map(|s| (s.triangle, element(s.triangle as usize).adaptively_curved(&cubature, share, deepest)))
             .collect();
-        let pair = |t: usize| {
-            if mesh.curved.of(t).is_some() {
-                Default::default()
-            } else {
-                element(t).adaptively(&cubature, share, deepest)
+        let straight = |t: usize| match fixed {
+            true => element(t).plainly(&cubature),
+            false => element(t).adaptively(&cubature, share, deepest),
+        };
+        let Gathered { sums, load: [base_load, fine_load], kept } = Gathered::new(mesh, &curved, straight);
+        let of = |k: usize, load| Integrals::new(scene, exact, mesh, sums[k], load, &scene.cubature(k as u32, fixed));
+        Ok(Self { base: of(0, base_load)?, fine: of(1, fine_load)?, kept, curved })
+    }
+
+    /// Squares of the error `u − u_h` for `u_h = u_I − d`.
+    pub fn error(&self, mesh: &Mesh, materials: &[Material; 2], d: &[Vec2]) -> ErrorSquares {
+        let remainder = ordered_sum(self.kept.len(), |t| {
+            let nodal = mesh.triangles[t].map(|i| d[i as usize]);
+            let (body, material) = (mesh.body(t), &materials[mesh.body(t).index()]);
+            match mesh.curved_triangle(t).zip(of_curved(&self.curved, t)) {
+                Some((triangle, [base, fine])) => Remainder {
+                    fine: fine.remainder(&triangle, body, material, nodal),
+                    base_energy: base.remainder(&triangle, body, material, nodal).energy,
+                },
+                None => self.kept[t].remainder(mesh, material, t, nodal),
             }
-        };
-        let mut pairs: Vec<[Element; 2]> =
-            (0..mesh.triangles.len()).into_par_iter().with_min_len(16).map(pair).collect();
-        curved.iter().for_each(|(t, parts)| pairs[*t as usize] = parts.map(|p| p.element));
-        let collect = |k: usize| {
-            let elements = pairs.iter().map(|pair| pair[k]).collect();
-            let curved = curved.iter().map(|(t, parts)| (*t, parts[k])).collect();
-            Integrals::new(scene, exact, mesh, elements, curved, &scene.cubature(k as u32, fixed))
-        };
-        Ok(Self { base: collect(0)?, fine: collect(1)? })
+        });
+        let mut fine = self.fine.interpolation;
+        fine += remainder.fine;
+        ErrorSquares { fine, base_energy: self.base.interpolation.energy + remainder.base_energy }
+    }
+
+    /// `A` and `f` on nodal fields and on `u`, by both quadratures: `A(u, φ_i) = A(w, φ_i) + A(u_I, φ_i)` with `w = u − u_I`.
+    pub fn forms<'a>(&self, mesh: &'a Mesh, materials: &'a [Material; 2], interpolant: &[Vec2]) -> [Forms<'a>; 2] {
+        let of_interpolant = assembly::internal_forces(mesh, materials, interpolant);
+        let mut stresses = [of_interpolant.clone(), of_interpolant];
+        for (t, corners) in mesh.triangles.iter().enumerate() {
+            let material = &materials[mesh.body(t).index()];
+            let forces = match of_curved(&self.curved, t) {
+                Some(parts) => parts.each_ref().map(|p| p.forces(material)),
+                None => self.kept[t].forces(mesh, material, t),
+            };
+            for (stresses, forces) in stresses.iter_mut().zip(forces) {
+                corners.iter().zip(forces).for_each(|(&i, f)| stresses[i as usize] += f);
+            }
+        }
+        let [base, fine] = stresses;
+        [self.base.forms(mesh, materials, base), self.fine.forms(mesh, materials, fine)]
     }
 }
 
@@ -116,26 +156,18 @@ impl Integrals {
         scene: &Scene,
         exact: &ExactScene,
         mesh: &Mesh,
-        elements: Vec<Element>,
-        curved: BTreeMap<u32, CurvedPart>,
+        sums: Sums,
+        load: Vec<Vec2>,
         cubature: &Cubature,
     ) -> Result<Self, Error> {
-        let solution = ordered_sum(elements.len(), |t| elements[t].solution);
-        let interpolation = ordered_sum(elements.len(), |t| elements[t].interpolation);
-        let body_work = ordered_sum(elements.len(), |t| elements[t].work);
-        let mut load = vec![Vec2::zeros(); mesh.points.len()];
-        for (corners, element) in mesh.triangles.iter().zip(&elements) {
-            corners.iter().zip(&element.load).for_each(|(&i, l)| load[i as usize] += l);
-        }
+        let Sums { interpolation, solution, work } = sums;
         let mut integrals = Self {
-            elements,
             interpolation,
             solution,
-            energy: 0.5 * solution.energy - body_work,
+            energy: 0.5 * solution.energy - work,
             load,
             contact: (0..mesh.contact.len()).map(|side| ContactLoad::new(exact, mesh, side, cubature)).collect(),
             reactions: Vec::new(),
-            curved,
         };
         integrals.add_boundary(scene, exact, mesh, cubature)?;
         Ok(integrals)
@@ -181,29 +213,7 @@ impl Integrals {
         Ok(())
     }
 
-    /// Squares of the error `u − u_h` for `u_h = u_I − d`.
-    pub fn error(&self, mesh: &Mesh, materials: &[Material; 2], d: &[Vec2]) -> Squares {
-        ordered_sum(self.elements.len(), |t| {
-            let nodal = mesh.triangles[t].map(|i| d[i as usize]);
-            let material = &materials[mesh.body(t).index()];
-            match mesh.curved_triangle(t).zip(self.curved.get(&(t as u32))) {
-                Some((triangle, part)) => part.error(&triangle, mesh.body(t), material, nodal),
-                None => self.elements[t].error(mesh, material, t, nodal),
-            }
-        })
-    }
-
-    /// `A` and `f` on nodal fields and on `u`, by this quadrature: `A(u, φ_i) = A(w, φ_i) + A(u_I, φ_i)` with `w = u − u_I`.
-    pub fn forms<'a>(&self, mesh: &'a Mesh, materials: &'a [Material; 2], interpolant: &[Vec2]) -> Forms<'a> {
-        let mut stresses = assembly::internal_forces(mesh, materials, interpolant);
-        for (t, corners) in mesh.triangles.iter().enumerate() {
-            let material = &materials[mesh.body(t).index()];
-            let forces = match self.curved.get(&(t as u32)) {
-                Some(part) => part.forces(material),
-                None => self.elements[t].forces(mesh, material, t),
-            };
-            corners.iter().zip(forces).for_each(|(&i, f)| stresses[i as usize] += f);
-        }
+    fn forms<'a>(&self, mesh: &'a Mesh, materials: &'a [Material; 2], stresses: Vec<Vec2>) -> Forms<'a> {
         let energy = self.solution.energy;
         // L(u) = ½A(u,u) − f(u)
         let work = 0.5 * energy - self.energy;

@@ -13,7 +13,7 @@ struct Setting {
     case: Case,
     level: family::Level,
     interpolant: Vec<Vec2>,
-    fine: Integrals,
+    pair: Pair,
 }
 
 impl Setting {
@@ -25,8 +25,8 @@ impl Setting {
         let exact = scene.exact.as_ref().unwrap();
         let at = |(x, body): (&Vec2, &_)| exact.solution.value(*body, *x);
         let interpolant: Vec<Vec2> = mesh.points.iter().zip(&mesh.node_bodies).map(at).collect();
-        let fine = Pair::new(scene, exact, mesh, &interpolant, false).unwrap().fine;
-        Self { case, level, interpolant, fine }
+        let pair = Pair::new(scene, exact, mesh, &interpolant, false).unwrap();
+        Self { case, level, interpolant, pair }
     }
 
     fn mesh(&self) -> &Mesh {
@@ -76,7 +76,9 @@ fn error_norms_are_those_of_direct_quadrature() {
         let materials = &s.case.scene().unwrap().materials;
         let fields = [v.as_slice(), s.interpolant.as_slice()];
         let direct = of_differences(s.mesh(), materials, &u, fields, &s.cubature());
-        for (found, direct) in [s.fine.error(s.mesh(), materials, &d), s.fine.interpolation].iter().zip(direct) {
+        for (found, direct) in
+            [s.pair.error(s.mesh(), materials, &d).fine, s.pair.fine.interpolation].iter().zip(direct)
+        {
             close(found.strain[0], direct.strain[0], tolerance, study);
             close(found.strain[1], direct.strain[1], tolerance, study);
             close(found.energy, direct.energy, tolerance, study);
@@ -93,7 +95,7 @@ fn loads_are_those_of_the_assembly() {
         let scene = s.case.scene().unwrap();
         let direct = assembly::loads(s.mesh(), &scene.supports(), scene, &s.cubature()).unwrap();
         let largest = direct.iter().map(|f| f.norm()).fold(0.0, f64::max);
-        for (found, direct) in s.fine.load.iter().zip(&direct) {
+        for (found, direct) in s.pair.fine.load.iter().zip(&direct) {
             assert!((found - direct).norm() <= 100.0 * tolerance * largest, "{study}: {found} {direct}");
         }
     }
@@ -121,16 +123,17 @@ fn greens_formula_holds_for_nodal_fields() {
                 }
             }
         }
-        let work: f64 = s.fine.load.iter().zip(&w).map(|(f, w)| f.dot(w)).sum();
-        let forms = s.fine.forms(mesh, &s.case.scene().unwrap().materials, &s.interpolant);
+        let work: f64 = s.pair.fine.load.iter().zip(&w).map(|(f, w)| f.dot(w)).sum();
+        let forms = &s.pair.forms(mesh, &s.case.scene().unwrap().materials, &s.interpolant)[1];
         close(energy, forms.stress(&w), 1e3 * tolerance, study);
         assert!(
-            (forms.load(&w) - work).abs() < 1e-14 && (forms.work - (0.5 * forms.energy - s.fine.energy)).abs() < 1e-14
+            (forms.load(&w) - work).abs() < 1e-14
+                && (forms.work - (0.5 * forms.energy - s.pair.fine.energy)).abs() < 1e-14
         );
         // the functionals of w − u, less their values for w = 0
         let zero = vec![Vec2::zeros(); w.len()];
-        let reactions = s.fine.reaction_work(&w) - s.fine.reaction_work(&zero);
-        let contact = s.fine.contact_work(&w) - s.fine.contact_work(&zero);
+        let reactions = s.pair.fine.reaction_work(&w) - s.pair.fine.reaction_work(&zero);
+        let contact = s.pair.fine.contact_work(&w) - s.pair.fine.contact_work(&zero);
         close(energy, work + contact + reactions, 1e3 * tolerance, study);
     }
 }
@@ -142,8 +145,8 @@ fn the_energy_of_the_solution_is_the_work_of_its_reactions() {
     for (study, case, tolerance) in STUDIES {
         let s = Setting::new(study, case, 5);
         let zero = vec![Vec2::zeros(); s.mesh().points.len()];
-        let (reactions, gap) = (-s.fine.reaction_work(&zero), -s.fine.contact_work(&zero));
-        let difference = s.fine.energy + 0.5 * s.fine.solution.energy - reactions - gap;
-        assert!(difference.abs() < tolerance * s.fine.solution.energy, "{study}: {difference:e}");
+        let (reactions, gap) = (-s.pair.fine.reaction_work(&zero), -s.pair.fine.contact_work(&zero));
+        let difference = s.pair.fine.energy + 0.5 * s.pair.fine.solution.energy - reactions - gap;
+        assert!(difference.abs() < tolerance * s.pair.fine.solution.energy, "{study}: {difference:e}");
     }
 }

@@ -74,7 +74,7 @@ impl Task<'_> {
             mesh.points.iter().zip(&mesh.node_bodies).map(|(x, body)| exact.solution.value(*body, *x)).collect();
         let fixed = self.case.fixed_quadrature;
         let pair = Pair::new(self.scene, exact, mesh, &interpolant, fixed)?;
-        let Pair { base, fine } = &pair;
+        let fine = &pair.fine;
         let cubature = self.scene.cubature(1, fixed);
         let supports = self.scene.supports();
         let problem = self.problem(mesh, &supports, &cubature);
@@ -85,8 +85,7 @@ impl Task<'_> {
         let measured = ExactMeasurement {
             task: self,
             mesh,
-            base,
-            fine,
+            pair: &pair,
             exact,
             cubature: &cubature,
             interpolant: &interpolant,

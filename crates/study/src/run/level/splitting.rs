@@ -59,7 +59,7 @@ impl Measured<'_> {
         squares: [f64; 2],
     ) -> Result<Vec<Splitting>, RunError> {
         let (mesh, materials) = (self.hierarchy.finest(), &self.task.scene.materials);
-        let forms = [&pair.base, &pair.fine].map(|i| i.forms(mesh, materials, interpolant));
+        let forms = pair.forms(mesh, materials, interpolant);
         let discrete = self.discrete_fields(interpolant, squares[1])?;
         let mut admissible = vec![Named { kind: SOLUTION, values: None }];
         if self.inside || self.plan.estimate == Estimate::Contained {
