@@ -9,6 +9,8 @@ mod pattern;
 mod scatter;
 mod stiffness;
 mod surroundings;
+#[cfg(test)]
+mod tests;
 
 pub use loads::{check_load, internal_forces, loads};
 pub(crate) use scatter::scatter;
