@@ -10,6 +10,8 @@ mod scatter;
 mod shared;
 mod stiffness;
 mod surroundings;
+#[cfg(test)]
+mod tests;
 
 pub use loads::{check_load, internal_forces, loads};
 pub(crate) use scatter::scatter;

@@ -61,7 +61,13 @@ impl NodeSupports {
 /// One support for each node.
 impl FromIterator<NodeSupport> for NodeSupports {
     fn from_iter<I: IntoIterator<Item = NodeSupport>>(supports: I) -> Self {
-        let held: BTreeMap<u32, NodeSupport> = (0..).zip(supports).collect();
-        Self { nodes: held.len(), held, unsupported: NodeSupport::unsupported() }
+        let mut all = Self::new(0);
+        for support in supports {
+            if support != all.unsupported {
+                all.held.insert(all.nodes as u32, support);
+            }
+            all.nodes += 1;
+        }
+        all
     }
 }

@@ -188,3 +188,55 @@ fn supports_that_part_a_bilateral_pair_are_refused() {
     assert_eq!(basis.tie(0, &wedge, [&supports[0], &supports[1]]).unwrap().len(), 0);
     assert_eq!(basis.held.len(), 1);
 }
+
+/// A pair, a wall and a plain node: blocks that make displacements of unknowns, and blocks that take them back.
+#[test]
+fn inverse_slots_take_back_what_slots_do() {
+    let supports = [
+        held(&[Vec2::new(1.0, 2.0)], Vec2::zeros()),
+        NodeSupport::unsupported(),
+        held(&[Vec2::new(2.0, 1.0)], Vec2::zeros()),
+        NodeSupport::unsupported(),
+    ];
+    let mut basis = Basis::new(&supports.iter().cloned().collect());
+    basis.tie(0, &pair(&[Vec2::new(1.0, -2.0)]), [&supports[0], &supports[1]]).unwrap();
+    assert_eq!([0, 1, 2, 3].map(|node| basis.is_plain(node)), [false, false, false, true]);
+    let x: Vec<f64> = sample(8).iter().zip(&basis.fixed).map(|(x, f)| if *f { 0.0 } else { *x }).collect();
+    let u = basis.displacement(&x);
+    for slot in 0..4 {
+        let (nodes, n) = basis.inverse_slots(slot);
+        let back = nodes[..n].iter().fold(Vec2::zeros(), |sum, (node, [a, b, c, d])| {
+            let u = u[*node as usize];
+            sum + Vec2::new(a * u.x + b * u.y, c * u.x + d * u.y)
+        });
+        for k in 0..2 {
+            let i = 2 * slot + k;
+            assert!(basis.fixed[i] || (back[k] - x[i]).abs() < 1e-14, "component {i}");
+        }
+    }
+}
+
+#[test]
+fn a_basis_on_fewer_nodes_is_the_same_there() {
+    let clamped = held(&[], Vec2::new(0.01, 0.02));
+    let supports = [NodeSupport::unsupported(), held(&[Vec2::new(1.0, 2.0)], Vec2::zeros()), clamped.clone(), clamped];
+    let mut basis = Basis::new(&supports.iter().cloned().collect());
+    basis.tie(0, &pair(&[Vec2::new(0.0, -1.0)]), [&supports[0], &supports[1]]).unwrap();
+    let coarse = basis.on_first(3);
+    assert_eq!((coarse.nodes(), coarse.fixed.as_slice()), (3, &basis.fixed[..6]));
+    let x = sample(8);
+    assert_eq!(coarse.displacement(&x[..6]), basis.displacement(&x)[..3]);
+    assert_eq!(coarse.offsets().unwrap()[2], Vec2::new(0.01, 0.02));
+    // Without the pair nothing is left of it.
+    let one = basis.on_first(0);
+    assert_eq!((one.nodes(), one.pairs().count(), one.offsets()), (0, 0, None));
+}
+
+#[test]
+fn nodes_without_an_entry_are_free() {
+    let mut supports = NodeSupports::new(5);
+    supports.of_mut(3).free.pop();
+    assert_eq!(supports.held().map(|(node, _)| node).collect::<Vec<_>>(), [3]);
+    assert_eq!(supports.of(2), &NodeSupport::unsupported());
+    assert_eq!(Basis::new(&supports).fixed, [0, 1, 2, 3, 4, 5, 6, 7, 8, 9].map(|i| i == 7));
+}
