@@ -1,0 +1,72 @@
+"""Clock of phases, and the one line of JSON that a peer prints."""
+
+import argparse
+import json
+import os
+import resource
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+import numpy as np
+
+import scene
+
+PHASES = ("mesh", "assembly", "setup", "solve")
+
+
+class Run:
+    """One measured run of one peer."""
+
+    def __init__(self, peer: str):
+        parser = argparse.ArgumentParser(description=f"Solves the two squares with {peer}; prints one line of JSON.")
+        parser.add_argument("n", type=int, help="cells per side of each square, at least 1")
+        self.peer = peer
+        self.n = parser.parse_args().n
+        if self.n < 1:
+            parser.error(f"n is {self.n}, but a square needs at least 1 cell per side")
+        # The driver says when it started this process, so that imports count into the wall time.
+        self._started = float(os.environ.get("PEERS_STARTED", time.monotonic()))
+        self._seconds = dict.fromkeys(PHASES, 0.0)
+        self._cpu = dict.fromkeys(PHASES, None)
+
+    @contextmanager
+    def phase(self, name: str) -> Iterator[None]:
+        """Takes the time spent inside as the phase's."""
+        start, cpu = time.perf_counter(), time.process_time()
+        yield
+        self.took(name, time.perf_counter() - start, time.process_time() - cpu)
+
+    def took(self, name: str, seconds: float, cpu: float | None = None) -> None:
+        """For a peer that takes its own times; without CPU seconds where it has none."""
+        self._seconds[name], self._cpu[name] = seconds, cpu
+
+    def finish(self, u: np.ndarray, *, version: str, iterations: int, closed: int, note: str) -> None:
+        """Prints the record. `u` (nodes, 2) in the scene's numbering; what follows the solve is not measured."""
+        measured = usage()
+        wall = time.monotonic() - self._started
+        mesh = scene.mesh(self.n)
+        grade = scene.grade(mesh, u)
+        record = {
+            "peer": self.peer,
+            "version": version,
+            "n": self.n,
+            "dofs": int(np.count_nonzero(~mesh.fixed())),
+            "energy": grade.energy,
+            "half_norm": grade.half_norm,
+            "penetration": grade.penetration,
+            "support": grade.support,
+            "seconds": {**self._seconds, "total": sum(self._seconds.values()), "wall": wall},
+            "cpu_seconds": {**self._cpu, "process": measured[0]},
+            "peak_bytes": measured[1],
+            "iterations": iterations,
+            "active": closed,
+            "note": note,
+        }
+        print(json.dumps(record), flush=True)
+
+
+def usage() -> tuple[float, int]:
+    """CPU seconds of this process and its finished children; the larger of their peaks in bytes."""
+    parts = [resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
+    return sum(p.ru_utime + p.ru_stime for p in parts), 1024 * max(p.ru_maxrss for p in parts)
