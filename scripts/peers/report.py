@@ -7,6 +7,7 @@ import resource
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import asdict
 
 import numpy as np
 
@@ -28,6 +29,7 @@ class Run:
         # The driver says when it started this process, so that imports count into the wall time.
         self._started = float(os.environ.get("PEERS_STARTED", time.monotonic()))
         self._seconds = dict.fromkeys(PHASES, 0.0)
+        self._measured: tuple[float, float, int] | None = None
         self._cpu = dict.fromkeys(PHASES, None)
 
     @contextmanager
@@ -42,28 +44,34 @@ class Run:
         self._seconds[name], self._cpu[name] = seconds, cpu
 
     def finish(self, u: np.ndarray, *, version: str, iterations: int, closed: int, note: str) -> None:
-        """Prints the record. `u` (nodes, 2) in the scene's numbering; what follows the solve is not measured."""
-        measured = usage()
-        wall = time.monotonic() - self._started
-        mesh = scene.mesh(self.n)
-        grade = scene.grade(mesh, u)
+        """Prints the record. `u` (nodes, 2) in the scene's numbering; its grading is not measured."""
+        self._stop()
+        grade = asdict(scene.grade(scene.mesh(self.n), u))
+        self.emit(grade, version=version, iterations=iterations, closed=closed, note=note)
+
+    def emit(self, grade: dict, *, version: str, iterations: int | None, closed: int | None, note: str) -> None:
+        """Prints the record of a peer that knows its energy but hands over no displacements."""
+        self._stop()
+        wall, cpu, peak = self._measured
         record = {
             "peer": self.peer,
             "version": version,
             "n": self.n,
-            "dofs": int(np.count_nonzero(~mesh.fixed())),
-            "energy": grade.energy,
-            "half_norm": grade.half_norm,
-            "penetration": grade.penetration,
-            "support": grade.support,
+            "dofs": scene.free_components(self.n),
+            **grade,
             "seconds": {**self._seconds, "total": sum(self._seconds.values()), "wall": wall},
-            "cpu_seconds": {**self._cpu, "process": measured[0]},
-            "peak_bytes": measured[1],
+            "cpu_seconds": {**self._cpu, "process": cpu},
+            "peak_bytes": peak,
             "iterations": iterations,
             "active": closed,
             "note": note,
         }
         print(json.dumps(record), flush=True)
+
+    def _stop(self) -> None:
+        """Measures wall and CPU seconds and the peak once, when the answer is there."""
+        if self._measured is None:
+            self._measured = (time.monotonic() - self._started, *usage())
 
 
 def usage() -> tuple[float, int]:
