@@ -27,13 +27,14 @@ def main(peer: str, method: str, note: str) -> None:
     run = Run(peer)
     with tempfile.TemporaryDirectory() as folder:
         out = Path(folder) / "u.txt"
+        # Line by line, or all lines would arrive at the end.
         command = ["stdbuf", "-oL", "FreeFem++", "-ne", "-nw", "-v", "0", str(SCRIPT)]
         command += ["-n", str(run.n), "-method", method, "-out", str(out)]
         counts = watch(run, command)
         run.finish(np.loadtxt(out), version=version(), note=note, **counts)
 
 
-def watch(run: Run, command: list[str]) -> dict[str, int]:
+def watch(run: Run, command: list[str]) -> dict[str, int | None]:
     """Runs the command; phases end when their lines arrive. Returns iterations and active pairs."""
     counts = {}
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True, env=os.environ | PLACES) as process:
@@ -49,5 +50,5 @@ def watch(run: Run, command: list[str]) -> dict[str, int]:
                     counts[name] = int(count)
     if process.returncode != 0 or len(counts) < 2:
         raise RuntimeError(f"FreeFEM ended with status {process.returncode}")
-    return {"iterations": counts["iterations"], "closed": counts["active"]}
-
+    # IPOPT does not tell.
+    return {"iterations": counts["iterations"] or None, "closed": counts["active"]}

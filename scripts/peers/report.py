@@ -28,9 +28,9 @@ class Run:
             parser.error(f"n is {self.n}, but a square needs at least 1 cell per side")
         # The driver says when it started this process, so that imports count into the wall time.
         self._started = float(os.environ.get("PEERS_STARTED", time.monotonic()))
-        self._seconds = dict.fromkeys(PHASES, 0.0)
+        self._seconds: dict[str, float | None] = dict.fromkeys(PHASES)
         self._measured: tuple[float, float, int] | None = None
-        self._cpu = dict.fromkeys(PHASES, None)
+        self._cpu: dict[str, float | None] = dict.fromkeys(PHASES)
 
     @contextmanager
     def phase(self, name: str) -> Iterator[None]:
@@ -43,7 +43,7 @@ class Run:
         """For a peer that takes its own times; without CPU seconds where it has none."""
         self._seconds[name], self._cpu[name] = seconds, cpu
 
-    def finish(self, u: np.ndarray, *, version: str, iterations: int, closed: int, note: str) -> None:
+    def finish(self, u: np.ndarray, *, version: str, iterations: int | None, closed: int, note: str) -> None:
         """Prints the record. `u` (nodes, 2) in the scene's numbering; its grading is not measured."""
         self._stop()
         grade = asdict(scene.grade(scene.mesh(self.n), u))
@@ -53,13 +53,14 @@ class Run:
         """Prints the record of a peer that knows its energy but hands over no displacements."""
         self._stop()
         wall, cpu, peak = self._measured
+        total = sum(seconds for seconds in self._seconds.values() if seconds is not None)
         record = {
             "peer": self.peer,
             "version": version,
             "n": self.n,
             "dofs": scene.free_components(self.n),
             **grade,
-            "seconds": {**self._seconds, "total": sum(self._seconds.values()), "wall": wall},
+            "seconds": {**self._seconds, "total": total, "wall": wall},
             "cpu_seconds": {**self._cpu, "process": cpu},
             "peak_bytes": peak,
             "iterations": iterations,

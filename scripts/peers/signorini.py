@@ -27,6 +27,10 @@ def study(n: int) -> str:
     return re.sub(r"(?m)^quick = \[.*\]$", f"quick = [{coarsest(n)}]", text)
 
 
+def first_line(text: str) -> str:
+    return text.strip().splitlines()[0] if text.strip() else "it said nothing"
+
+
 def main(peer: str, solver: str, note: str) -> None:
     """The whole peer; `solver` as in --solver."""
     run = Run(peer)
@@ -39,7 +43,7 @@ def main(peer: str, solver: str, note: str) -> None:
         record = Path(folder) / "two-squares/record.json"
         # One level is too few for a verdict (status 2), but enough for its record.
         if not record.exists():
-            raise RuntimeError(f"signorini ended with status {ended.returncode}: {ended.stderr.strip()}")
+            raise RuntimeError(f"signorini ended with status {ended.returncode}: {first_line(ended.stderr)}")
         reference = json.loads(record.read_text())["reference"]["overkill"]
         times = json.loads((record.parent / "timings.json").read_text())["cases"][0]["reference"]
     for phase in PHASES:
