@@ -6,11 +6,11 @@ import numpy as np
 import petsc4py
 
 petsc4py.init(sys.argv[:1])
-from petsc4py import PETSc  # noqa: E402  (PETSc must be initialised first)
+from petsc4py import PETSc  # PETSc must be initialised first
 
-import scene  # noqa: E402
-from qp import ClosedSystem, bound_qp  # noqa: E402
-from report import Run  # noqa: E402
+import scene
+from qp import ClosedSystem, bound_qp
+from report import Run
 
 
 def cholesky(a: PETSc.Mat) -> PETSc.KSP:

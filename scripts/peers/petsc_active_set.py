@@ -1,4 +1,4 @@
-"""Active set with PETSc's conjugate gradients, preconditioned by an algebraic multigrid that knows rigid motions.
+"""Active set with PETSc's conjugate gradients, preconditioned by an algebraic multigrid for elasticity.
 
 Two components per node throughout: a closed pair ties u'_y to u''_y, and its own row becomes the identity, as the rows of
 supports do. So block size and rigid motions stay what multigrid expects.
@@ -11,10 +11,10 @@ import petsc4py
 import scipy.sparse as sp
 
 petsc4py.init(sys.argv[:1])
-from petsc4py import PETSc  # noqa: E402  (PETSc must be initialised first)
+from petsc4py import PETSc  # PETSc must be initialised first
 
-import scene  # noqa: E402
-from report import Run  # noqa: E402
+import scene
+from report import Run
 
 LOOSE, TIGHT = 1e-6, 1e-11
 
