@@ -6,8 +6,6 @@ import tempfile
 import time
 from pathlib import Path
 
-import numpy as np
-
 from report import PHASES, Run
 
 # Where Debian keeps plug-ins and headers; its FreeFEM looks elsewhere.
@@ -31,6 +29,9 @@ def main(peer: str, method: str, note: str) -> None:
         command = ["stdbuf", "-oL", "FreeFem++", "-ne", "-nw", "-v", "0", str(SCRIPT)]
         command += ["-n", str(run.n), "-method", method, "-out", str(out)]
         counts = watch(run, command)
+        run.stop()
+        import numpy as np
+
         run.finish(np.loadtxt(out), version=version(), note=note, **counts)
 
 

@@ -1,4 +1,4 @@
-"""Clock of phases, and the one line of JSON that a peer prints."""
+"""Clock of phases, and the one line of JSON that a peer prints. Imports no numpy: not every peer is written in Python."""
 
 import argparse
 import json
@@ -8,10 +8,6 @@ import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import asdict
-
-import numpy as np
-
-import scene
 
 PHASES = ("mesh", "assembly", "setup", "solve")
 
@@ -43,22 +39,24 @@ class Run:
         """For a peer that takes its own times; without CPU seconds where it has none."""
         self._seconds[name], self._cpu[name] = seconds, cpu
 
-    def finish(self, u: np.ndarray, *, version: str, iterations: int | None, closed: int, note: str) -> None:
-        """Prints the record. `u` (nodes, 2) in the scene's numbering; its grading is not measured."""
-        self._stop()
+    def finish(self, u, *, version: str, iterations: int | None, closed: int, note: str) -> None:
+        """Prints the record. `u` is an array (nodes, 2) in the scene's numbering; its grading is not measured."""
+        self.stop()
+        import scene
+
         grade = asdict(scene.grade(scene.mesh(self.n), u))
         self.emit(grade, version=version, iterations=iterations, closed=closed, note=note)
 
     def emit(self, grade: dict, *, version: str, iterations: int | None, closed: int | None, note: str) -> None:
         """Prints the record of a peer that knows its energy but hands over no displacements."""
-        self._stop()
+        self.stop()
         wall, cpu, peak = self._measured
         total = sum(seconds for seconds in self._seconds.values() if seconds is not None)
         record = {
             "peer": self.peer,
             "version": version,
             "n": self.n,
-            "dofs": scene.free_components(self.n),
+            "dofs": free_components(self.n),
             **grade,
             "seconds": {**self._seconds, "total": total, "wall": wall},
             "cpu_seconds": {**self._cpu, "process": cpu},
@@ -69,10 +67,15 @@ class Run:
         }
         print(json.dumps(record), flush=True)
 
-    def _stop(self) -> None:
-        """Measures wall and CPU seconds and the peak once, when the answer is there."""
+    def stop(self) -> None:
+        """Measures wall and CPU seconds and the peak once, when the answer is there; what follows does not count."""
         if self._measured is None:
             self._measured = (time.monotonic() - self._started, *usage())
+
+
+def free_components(n: int) -> int:
+    """Displacement components that no support holds: those of both bodies without the left side and the bottom."""
+    return 4 * (n + 1) ** 2 - 3 * (n + 1)
 
 
 def usage() -> tuple[float, int]:

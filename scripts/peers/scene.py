@@ -72,11 +72,6 @@ def mesh(n: int) -> Mesh:
     return Mesh(n, np.concatenate([upper, upper - [0, 1]]), np.concatenate([one, one + len(upper)]))
 
 
-def free_components(n: int) -> int:
-    """Displacement components that no support holds: those of both bodies without the left side and the bottom."""
-    return 4 * (n + 1) ** 2 - 3 * (n + 1)
-
-
 def gradients(points: np.ndarray, triangles: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Gradients (elements, 3, 2) of the hat functions, and areas."""
     a, b, c = (points[triangles[:, i]] for i in range(3))

@@ -44,6 +44,7 @@ def main(peer: str, solver: str, note: str) -> None:
         # One level is too few for a verdict (status 2), but enough for its record.
         if not record.exists():
             raise RuntimeError(f"signorini ended with status {ended.returncode}: {first_line(ended.stderr)}")
+        run.stop()
         reference = json.loads(record.read_text())["reference"]["overkill"]
         times = json.loads((record.parent / "timings.json").read_text())["cases"][0]["reference"]
     for phase in PHASES:
