@@ -14,6 +14,8 @@ def solve(qp: BoundQp) -> tuple[np.ndarray, int]:
     m, size = len(qp.bounded), len(qp.load)
     select = sp.csc_matrix((np.ones(m), (np.arange(m), qp.bounded)), shape=(m, size))
     solver = proxqp.sparse.QP(size, 0, m)
+    # Left to itself it turns to an iterative solver where the factor is large, and does not end.
+    solver.settings.sparse_backend = proxqp.SparseBackend.SparseCholesky
     solver.settings.eps_abs = TOLERANCE
     solver.settings.eps_rel = 0.0
     solver.init(SCALE * qp.stiffness, -SCALE * qp.load, None, None, select, np.full(m, -1e20), np.zeros(m))
