@@ -261,6 +261,9 @@ pub struct SolverRecord {
     pub iterations: usize,
     /// Sparse factorisations.
     pub factorizations: usize,
+    /// Multigrid: work in products with the matrix, from the coarsest level on.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub work: Option<f64>,
 }
 
 impl SolverRecord {

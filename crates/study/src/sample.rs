@@ -55,6 +55,7 @@ pub(crate) fn level(k: usize, error: f64) -> Level {
             solved: true,
             iterations: 4,
             factorizations: 1,
+            work: None,
         },
         warnings: Vec::new(),
         excluded: None,

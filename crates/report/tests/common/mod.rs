@@ -197,6 +197,7 @@ fn level(k: usize, errors: impl Fn(f64) -> Errors) -> Level {
             solved: true,
             iterations: 4 + k,
             factorizations: 1,
+            work: None,
         },
         warnings: Vec::new(),
         excluded: None,

@@ -108,7 +108,7 @@ fn on_level(job: &Job, study: &Study) -> Result<Outcome, RunError> {
 }
 
 /// The methods that can be timed.
-const METHODS: [Method; 3] = [Method::Condensed, Method::Monotone, Method::InteriorPoint];
+const METHODS: [Method; 4] = [Method::Condensed, Method::Monotone, Method::InteriorPoint, Method::Multigrid];
 
 /// The method of a name.
 fn method(name: &str) -> Result<Method, RunError> {
@@ -118,7 +118,7 @@ fn method(name: &str) -> Result<Method, RunError> {
 fn timed(mut level: Level, times: &LevelTimes) -> TimedLevel {
     level.contact = None;
     let (processor, peak_bytes) = (times.processor, times.peak_bytes);
-    TimedLevel { level, work: None, wall: times.phases(), processor, peak_bytes }
+    TimedLevel { work: level.solver.work, level, wall: times.phases(), processor, peak_bytes }
 }
 
 fn products(matrix: &BlockMatrix) -> Product {
@@ -133,12 +133,5 @@ fn products(matrix: &BlockMatrix) -> Product {
         black_box(&mut y);
     }
     seconds.sort_by(f64::total_cmp);
-    Product { seconds: seconds[seconds.len() / 2], matrix_bytes: bytes(matrix) }
-}
-
-/// Bytes that a product reads of the matrix.
-fn bytes(matrix: &BlockMatrix) -> u64 {
-    let stored =
-        size_of_val(&matrix.row_start[..]) + size_of_val(&matrix.columns[..]) + size_of_val(&matrix.blocks[..]);
-    stored as u64
+    Product { seconds: seconds[seconds.len() / 2], matrix_bytes: matrix.bytes() as u64 }
 }

@@ -17,6 +17,7 @@ pub fn most_unknowns(method: Method) -> usize {
     match method {
         Method::InteriorPoint => MOST_INTERIOR_POINT,
         Method::Condensed | Method::Monotone => MOST_CONDENSED,
+        Method::Automatic | Method::Multigrid => usize::MAX,
     }
 }
 

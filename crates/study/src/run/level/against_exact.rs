@@ -8,9 +8,9 @@ use crate::reference::exact::{ErrorSquares, Integrals, Pair};
 use crate::run::contact::ContactErrors;
 use crate::run::zone_ledger::ZoneLedger;
 use crate::study::ExactScene;
+use signorini_contact::Vec2;
 use signorini_contact::mesh::Mesh;
 use signorini_contact::quadrature::Cubature;
-use signorini_contact::Vec2;
 
 /// Everything that turns a solved level into errors against the exact solution.
 pub(super) struct ExactMeasurement<'a> {

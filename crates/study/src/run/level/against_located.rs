@@ -10,8 +10,8 @@ use crate::reference::located::Located;
 use crate::reference::overkill::Overkill;
 use crate::run::contact::ContactState;
 use crate::run::overlay::{self, Zone};
-use signorini_contact::mesh::Mesh;
 use signorini_contact::Vec2;
+use signorini_contact::mesh::Mesh;
 
 impl Task<'_> {
     pub(super) fn fill_from_located(

@@ -5,8 +5,8 @@ use super::{Solved, Task, algebraic_error, residual_work};
 use crate::record::{Budget, Level};
 use crate::reference::overkill::Overkill;
 use crate::run::contact::{self, ContactState};
-use signorini_contact::mesh::Mesh;
 use signorini_contact::Vec2;
+use signorini_contact::mesh::Mesh;
 
 impl Task<'_> {
     /// Fills the level in and gives `A(e,e)`.

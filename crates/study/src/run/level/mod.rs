@@ -32,8 +32,8 @@ use signorini_contact::problem::{Discrete, Problem, Solution, Support};
 use signorini_contact::qp;
 use signorini_contact::quadrature::Cubature;
 use signorini_contact::solver::{Accuracy, Method, Prepared, Settings};
-use signorini_contact::zone::{Zone, side_length};
 use signorini_contact::sum::ordered_sum;
+use signorini_contact::zone::{Zone, side_length};
 use signorini_contact::{Vec2, assembly, norm};
 use splitting::Measured;
 
@@ -233,6 +233,7 @@ impl Task<'_> {
             solved: raw.status.is_solved(),
             iterations: raw.iterations,
             factorizations: raw.factorizations,
+            work: (raw.work > 0.0).then_some(raw.work),
         }
     }
 
