@@ -5,8 +5,8 @@
 use rayon::prelude::*;
 use signorini_study::file::library::shipped;
 use signorini_study::record::{Level, Reference, StudyRecord};
-use signorini_study::run::{Method, Profile, RunSettings, Unwatched, run_case};
-use signorini_study::study::{ReferencePlan, Study};
+use signorini_study::run::{Alone, Method, Profile, RunSettings, Unwatched, run_case};
+use signorini_study::study::{Case, ReferencePlan, Study};
 
 /// Scaled residuals of the optimality conditions.
 const CERTIFIED: f64 = 1e-10;
@@ -95,6 +95,33 @@ fn two_solvers_agree_on_every_shipped_study_and_every_level_is_sound() {
         }
     }
     assert!(compared > 50, "{compared} levels");
+}
+
+/// Multigrid on the third level of every contact problem among the standard studies and the hard cases: its energy is the direct
+/// solver's to 1e-9, or to what cancellation in the energy leaves of double precision.
+#[test]
+fn multigrid_agrees_with_the_direct_solver_on_every_study_and_every_hard_case() {
+    let mut sources = shipped().select(&[]).expect("shipped studies");
+    sources.extend(shipped().select(&["hard".into()]).expect("the hard cases"));
+    let studies: Vec<Study> = sources.iter().map(|s| s.load().expect("a sound study")).collect();
+    let cases: Vec<(&Study, &Case)> = studies.iter().flat_map(|s| s.cases.iter().map(move |c| (s, c))).collect();
+    let compare = |(study, case): &(&Study, &Case)| -> Option<usize> {
+        let scene = case.scene()?;
+        let cells = &case.quick[..case.quick.len().min(3)];
+        let at = format!("{}/{}", study.id, case.name);
+        let compared = Alone { case, scene, cells }.compare(Method::Condensed, Method::Multigrid);
+        // what has no solution is refused before any solver sees it
+        let (level, coarser) = compared.map_err(|e| assert!(case.refused || e.to_string().contains("load"), "{at}: {e}")).ok()?;
+        let second = level.second.expect("a second answer");
+        assert!(second.solved, "{at}: {}", second.status);
+        let allowed = 1e-9 + 50.0 * f64::EPSILON * second.cancellation;
+        assert!(second.energy_difference <= allowed, "{at}: {second:?}");
+        Some(usize::from(coarser > 0))
+    };
+    let compared: Vec<usize> = cases.par_iter().filter_map(compare).collect();
+    assert!(compared.len() > 100, "{} levels", compared.len());
+    let with_levels: usize = compared.iter().sum();
+    assert!(with_levels > 50, "{with_levels} of them have a hierarchy");
 }
 
 #[test]

@@ -8,7 +8,7 @@ use crate::record::Level;
 use crate::study::{Case, ReferencePlan, Scene};
 use signorini_contact::assembly;
 use signorini_contact::problem::Problem;
-use signorini_contact::solver::{Method, Settings};
+use signorini_contact::solver::{Accuracy, Method, Settings};
 use signorini_contact::sparse::BlockMatrix;
 use signorini_contact::zone::Zone;
 
@@ -53,6 +53,20 @@ impl Alone<'_> {
             }
             _ => task.without_reference(index),
         }
+    }
+
+    /// Solves the level by two methods, both as well as double precision allows, and compares the answers; with it, how many coarser
+    /// levels there are.
+    ///
+    /// # Errors
+    /// As [`Alone::run`].
+    pub fn compare(&self, first: Method, second: Method) -> Result<(Level, usize), RunError> {
+        let case = Case { second: Some(second), splitting: None, ..self.case.clone() };
+        let settings = Settings { method: first, accuracy: Accuracy::Floor, ..case.solver };
+        let task = Task { case: &case, scene: self.scene, cells: self.cells, settings, constrain: Zone::new };
+        let index = self.cells.len() - 1;
+        let hierarchy = family::build_level(&case.family, &self.scene.domain(), self.cells, index)?.hierarchy;
+        Ok((task.without_reference(index)?.0, hierarchy.levels().len() - 1))
     }
 
     /// The stiffness matrix of the level, in the basis in which contact bounds single components.

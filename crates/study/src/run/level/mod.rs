@@ -27,6 +27,7 @@ use crate::reference::overkill::Overkill;
 use crate::study::{Case, ExactScene, Scene};
 use against_exact::ExactMeasurement;
 use inside::is_inside;
+use signorini_contact::material::Material;
 use signorini_contact::mesh::{Hierarchy, Mesh};
 use signorini_contact::problem::{Discrete, Problem, Solution, Support};
 use signorini_contact::qp;
@@ -213,10 +214,7 @@ impl Task<'_> {
         watch: &mut Stopwatch,
     ) -> Solved {
         let method = settings.method.for_problem(discrete.dofs(), hierarchy.levels().len() - 1);
-        let prepared = match method {
-            Method::Multigrid => Prepared::with_levels(&discrete.qp, discrete.levels(hierarchy, &problem.materials)),
-            method => Prepared::new(&discrete.qp, method),
-        };
+        let prepared = prepared(method, &discrete, hierarchy, &problem.materials);
         watch.lap(|t| &mut t.setup);
         let raw = prepared.solve(settings);
         watch.lap(|t| &mut t.solve);
@@ -247,7 +245,7 @@ impl Task<'_> {
     fn level(&self, index: usize, meshed: &MeshLevel, solved: &Solved) -> Level {
         let Solved { discrete, solution, state } = solved;
         let finest = meshed.hierarchy.finest();
-        let second = self.second_opinion(finest, solved);
+        let second = self.second_opinion(&meshed.hierarchy, solved);
         let mut kkt = certificate(discrete, solution);
         kkt.componentwise = kkt.componentwise.filter(|_| second.is_some());
         let with_profile = index + 1 == self.cells.len();
@@ -285,6 +283,19 @@ impl Task<'_> {
             contact: Some(contact),
             second,
         }
+    }
+}
+
+/// A problem made ready for a method; multigrid gets the levels below it.
+fn prepared<'a>(
+    method: Method,
+    discrete: &'a Discrete,
+    hierarchy: &'a Hierarchy,
+    materials: &[Material; 2],
+) -> Prepared<'a> {
+    match method {
+        Method::Multigrid => Prepared::with_levels(&discrete.qp, discrete.levels(hierarchy, materials)),
+        method => Prepared::new(&discrete.qp, method),
     }
 }
 

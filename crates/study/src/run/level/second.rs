@@ -1,11 +1,11 @@
 //! The second opinion: another solver on the same discrete problem.
 
-use super::{Solved, Task, largest_component};
+use super::{Solved, Task, largest_component, prepared};
 use crate::record::SecondOpinion;
 use crate::study::Scene;
-use signorini_contact::mesh::Mesh;
+use signorini_contact::mesh::Hierarchy;
 use signorini_contact::problem::{Discrete, Solution};
-use signorini_contact::solver::{self, Settings};
+use signorini_contact::solver::Settings;
 use signorini_contact::sparse::BlockMatrix;
 
 /// A force below this share of the largest does not press, an opening below this share of the displacement is none.
@@ -14,18 +14,18 @@ const CLEAR: f64 = 1e-8;
 impl Task<'_> {
     /// Asks the case's second solver, if it names one. The tolerances are those of a finished solve, whatever the first
     /// solver's were.
-    pub(super) fn second_opinion(&self, mesh: &Mesh, solved: &Solved) -> Option<SecondOpinion> {
+    pub(super) fn second_opinion(&self, hierarchy: &Hierarchy, solved: &Solved) -> Option<SecondOpinion> {
         let method = self.case.second?;
         let settings = Settings { method, max_steps: self.settings.max_steps, ..Settings::default() };
-        Some(ask(&settings, self.scene, mesh, solved))
+        Some(ask(&settings, self.scene, hierarchy, solved))
     }
 }
 
-fn ask(settings: &Settings, scene: &Scene, mesh: &Mesh, solved: &Solved) -> SecondOpinion {
+fn ask(settings: &Settings, scene: &Scene, hierarchy: &Hierarchy, solved: &Solved) -> SecondOpinion {
     let (discrete, first) = (&solved.discrete, &solved.solution);
-    let raw = solver::solve(&discrete.qp, settings);
+    let raw = prepared(settings.method, discrete, hierarchy, &scene.materials).solve(settings);
     let (status, is_solved, iterations) = (raw.status.to_string(), raw.status.is_solved(), raw.iterations);
-    let second = discrete.recover(mesh, &scene.materials, raw);
+    let second = discrete.recover(hierarchy.finest(), &scene.materials, raw);
     let size = largest_component(&first.displacement);
     let apart: Vec<_> = first.displacement.iter().zip(&second.displacement).map(|(a, b)| a - b).collect();
     SecondOpinion {
