@@ -33,7 +33,7 @@ pub fn solve(qp: &BoundQp, levels: &Levels, settings: &Settings) -> QpSolution {
     let finest = grids.len() - 1;
     let (mut x, mut energy) = (start.x, None);
     let mut ended = Some(start.iterations);
-    let mut distance = None;
+    let (mut work, mut distance) = (0.0, None);
     if first == finest {
         run.history = start.history;
     }
@@ -45,10 +45,11 @@ pub fn solve(qp: &BoundQp, levels: &Levels, settings: &Settings) -> QpSolution {
         let mut iteration = Iteration::new(&grids[level], level, load(&loads, qp, level), start);
         ended = run.iterate(&mut iteration, below, aim, most, level == finest);
         energy = Some(iteration.energy());
+        run.visited += iteration.visited;
         if level == finest {
+            work = (run.visited + run.cycle.visited) as f64 / grids[finest].entries() as f64;
             distance = Some(iteration.distance(&mut run.cycle));
         }
-        run.visited += iteration.visited;
         x = iteration.x;
     }
     let mut answer = QpSolution::unsolved(qp, Status::IterationLimit { steps: MOST });
@@ -58,7 +59,7 @@ pub fn solve(qp: &BoundQp, levels: &Levels, settings: &Settings) -> QpSolution {
         answer.status = Status::Converged { steps };
     }
     answer.factorizations = 1 + run.cycle.factorizations();
-    answer.work = (run.visited + run.cycle.visited) as f64 / grids[finest].entries() as f64;
+    answer.work = work;
     answer.history = run.history;
     answer.distance = distance;
     let on_bound = active(&qp.bounds, &answer.x);
@@ -100,7 +101,7 @@ impl Run<'_> {
         most: usize,
         keep_history: bool,
     ) -> Option<usize> {
-        let mut last = f64::INFINITY;
+        let (mut last, mut last_ratio) = (f64::INFINITY, 0.0);
         for count in 1..=most {
             let progress = iteration.advance(&mut self.cycle);
             if keep_history {
@@ -116,7 +117,8 @@ impl Run<'_> {
                 // J_h − J is a third of what the energy fell by from the level below, at first order; less at lower order
                 let error = (below - iteration.energy()) / 3.0;
                 // with a decrease that shrinks like ρ, ρ/(1 − ρ) of the last one is still to come
-                let rest = if ratio < 1.0 { decrease * ratio / (1.0 - ratio) } else { f64::INFINITY };
+                let slower = f64::max(ratio, last_ratio);
+                let rest = if slower < 1.0 { decrease * slower / (1.0 - slower) } else { f64::INFINITY };
                 if rest <= share * share * error {
                     return Some(count);
                 }
@@ -124,7 +126,7 @@ impl Run<'_> {
             if ratio > SLOW && last.is_finite() {
                 self.cycle.sweep_more();
             }
-            last = decrease;
+            (last, last_ratio) = (decrease, ratio);
             if count % REFRESH == 0 {
                 iteration.refresh();
             }
