@@ -48,7 +48,7 @@ fn row(cells: Vec<Cell>) -> Row {
 
 fn bandwidth(record: &BenchRecord) -> Table {
     let b = &record.bandwidth;
-    let cells = |threads: &str, found| row(vec![Cell::text(threads), Cell::text(spread(found))]);
+    let cells = |threads: &str, found| row(vec![Cell::text(threads), Cell::figure(spread(found))]);
     let giga = |found: Option<_>| found.map(|s| scaled(s, 1e-9));
     Table {
         columns: columns(&["a = b + s c", "GB/s"]),
@@ -96,14 +96,14 @@ fn runs(study: &BenchStudy) -> Table {
         row(vec![
             Cell::text(&curve.solver),
             Cell::Count(study.sizes[run.level].dofs),
-            Cell::text(number(run.relative_error.map(|e| 100.0 * e))),
+            Cell::figure(number(run.relative_error.map(|e| 100.0 * e))),
             Cell::Count(run.iterations),
-            Cell::text(number(run.work)),
-            Cell::text(spread(Some(run.wall.system))),
-            Cell::text(median(linear.map(|l| l.wall))),
-            Cell::text(number(linear.map(|l| l.ratio))),
-            Cell::text(spread(Some(run.wall.solution))),
-            Cell::text(median(run.peak_bytes.map(|p| scaled(p, 1e-6)))),
+            Cell::figure(number(run.work)),
+            Cell::figure(spread(Some(run.wall.system))),
+            Cell::figure(median(linear.map(|l| l.wall))),
+            Cell::figure(number(linear.map(|l| l.ratio))),
+            Cell::figure(spread(Some(run.wall.solution))),
+            Cell::figure(median(run.peak_bytes.map(|p| scaled(p, 1e-6)))),
         ])
     };
     let rows = study.solvers.iter().flat_map(|c| c.runs.iter().map(move |r| of(c, r))).collect();
@@ -128,7 +128,7 @@ fn phases(study: &BenchStudy) -> Table {
         let used = run.processor.as_ref().map(|s| [s.mesh, s.assembly, s.setup, s.solve, s.error, s.total]);
         let cell = |k: usize| {
             let used = used.map_or(String::new(), |u| format!(" ({})", significant(u[k].median, 2)));
-            Cell::text(median(Some(wall[k])) + &used)
+            Cell::figure(median(Some(wall[k])) + &used)
         };
         let head = [Cell::text(&curve.solver), Cell::Count(study.sizes[run.level].dofs)];
         row(head.into_iter().chain((0..wall.len()).map(cell)).collect())
@@ -141,7 +141,7 @@ fn targets(study: &BenchStudy) -> Table {
     let headings: Vec<String> = study.targets.iter().map(|t| format!("{} %", significant(100.0 * t, 1))).collect();
     let names: Vec<&str> = std::iter::once("solver").chain(headings.iter().map(String::as_str)).collect();
     let of = |c: &SolverCurve| {
-        let times = c.seconds_to_target.iter().map(|t| Cell::text(number(*t)));
+        let times = c.seconds_to_target.iter().map(|t| Cell::figure(number(*t)));
         row(std::iter::once(Cell::text(&c.solver)).chain(times).collect())
     };
     Table { columns: columns(&names), rows: study.solvers.iter().map(of).collect() }
@@ -151,8 +151,8 @@ fn growth(study: &BenchStudy) -> Table {
     let of = |c: &SolverCurve| {
         row(vec![
             Cell::text(&c.solver),
-            Cell::text(plain_exponent(c.growth_system)),
-            Cell::text(plain_exponent(c.growth_total)),
+            Cell::figure(plain_exponent(c.growth_system)),
+            Cell::figure(plain_exponent(c.growth_total)),
         ])
     };
     let rows = study.solvers.iter().map(of).collect();
@@ -167,10 +167,10 @@ fn floors(study: &BenchStudy) -> Table {
         row(vec![
             Cell::Count(s.dofs),
             Cell::Count(s.cells),
-            Cell::text(number(s.h)),
-            Cell::text(spread(s.product.map(|p| scaled(p, 1e3)))),
-            Cell::text(number(bytes.map(|b| b / s.dofs as f64))),
-            Cell::text(number(rate)),
+            Cell::figure(number(s.h)),
+            Cell::figure(spread(s.product.map(|p| scaled(p, 1e3)))),
+            Cell::figure(number(bytes.map(|b| b / s.dofs as f64))),
+            Cell::figure(number(rate)),
         ])
     };
     Table { columns: columns(&headings), rows: study.sizes.iter().map(of).collect() }
