@@ -6,7 +6,7 @@ use crate::format::significant;
 use crate::table::{Cell, Column, Row, Table};
 use signorini_study::bench::record::{BenchRecord, BenchStudy, Measured, Size, SolverCurve};
 
-const TEXT_WIDTH: usize = 118;
+const TEXT_WIDTH: usize = 150;
 
 /// `bench.md`.
 pub(super) fn page(record: &BenchRecord) -> String {
@@ -31,8 +31,11 @@ pub fn bench_text(record: &BenchRecord) -> String {
 
 const METHOD: &str = "Every measurement is a process of its own; a round visits all of them once, forwards and backwards in turn. \
 Numbers are medians, in brackets the smallest and the largest. *Solve* is set-up and solve together; *linear* is the same with every pair \
-tied (`n·d = g`), so that nothing has to be decided, under the solver named; *ratio* is the contact problem over the linear one. *Work* counts products with \
+tied (`n·d = g`), so that nothing has to be decided, under the solver named; *ratio* is the contact problem over the linear one, in wall and in processor seconds. *Work* counts products with \
 the finest matrix. *Peak* is the largest resident memory of the process, the program itself included.";
+
+const FLOORS: &str =
+    "A matrix that fits in the caches is read faster than the memory allows; from there on the triad is the limit.";
 
 fn head(record: &BenchRecord) -> String {
     format!("{}; {}, {}. Signorini {}.", machine(record), threads(record), rounds(record), record.version)
@@ -73,7 +76,7 @@ fn study_page(position: usize, study: &BenchStudy) -> String {
         );
     }
     out += &format!("### Growth\n\n`c N^p`, fitted on the finest meshes.\n\n{}\n", growth(study).to_markdown());
-    out += &format!("### Floors\n\n{}\n", floors(study).to_markdown());
+    out += &format!("### Floors\n\n{FLOORS}\n\n{}\n", floors(study).to_markdown());
     out + &format!("![Seconds and bytes per unknown]({scaled})\n\n")
 }
 
@@ -88,6 +91,7 @@ fn runs(study: &BenchStudy) -> Table {
         "solve (s)",
         "linear (s)",
         "ratio",
+        "ratio (CPU)",
         "to the solution (s)",
         "peak (MB)",
     ];
@@ -102,6 +106,7 @@ fn runs(study: &BenchStudy) -> Table {
             Cell::figure(spread(Some(run.wall.system))),
             Cell::figure(median(linear.map(|l| l.wall))),
             Cell::figure(number(linear.map(|l| l.ratio))),
+            Cell::figure(number(linear.and_then(|l| l.ratio_processor))),
             Cell::figure(spread(Some(run.wall.solution))),
             Cell::figure(median(run.peak_bytes.map(|p| scaled(p, 1e-6)))),
         ])
