@@ -23,6 +23,9 @@ const DEFAULT: [&str; 2] = ["theorem-3-1-smooth", "two-squares"];
 /// Measures and returns the exit status: 2 if something that was to be measured could not be, else 0.
 pub fn bench(args: &BenchArgs) -> Result<u8, Failure> {
     let plan = plan(args)?;
+    // refused now, not after all the measurements
+    std::fs::create_dir_all(&args.out)
+        .map_err(|e| Failure::new(format!("{}: {e}", args.out.display()), "name another folder with --out"))?;
     let program = std::env::current_exe()
         .map_err(|e| Failure::new(format!("the program cannot find itself: {e}"), "start it by its full path"))?;
     let mut progress = Count::new(0, "measurements", true);

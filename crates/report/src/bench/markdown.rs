@@ -6,7 +6,7 @@ use crate::format::significant;
 use crate::table::{Cell, Column, Row, Table};
 use signorini_study::bench::record::{BenchRecord, BenchStudy, Measured, Size, SolverCurve};
 
-const TEXT_WIDTH: usize = 118;
+const TEXT_WIDTH: usize = 150;
 
 /// `bench.md`.
 pub(super) fn page(record: &BenchRecord) -> String {
@@ -31,8 +31,11 @@ pub fn bench_text(record: &BenchRecord) -> String {
 
 const METHOD: &str = "Every measurement is a process of its own; a round visits all of them once, forwards and backwards in turn. \
 Numbers are medians, in brackets the smallest and the largest. *Solve* is set-up and solve together; *linear* is the same with every pair \
-tied (`n·d = g`), so that nothing has to be decided, under the solver named; *ratio* is the contact problem over the linear one. *Work* counts products with \
+tied (`n·d = g`), so that nothing has to be decided, under the solver named; *ratio* is the contact problem over the linear one, in wall and in processor seconds. *Work* counts products with \
 the finest matrix. *Peak* is the largest resident memory of the process, the program itself included.";
+
+const FLOORS: &str =
+    "A matrix that fits in the caches is read faster than the memory allows; from there on the triad is the limit.";
 
 fn head(record: &BenchRecord) -> String {
     format!("{}; {}, {}. Signorini {}.", machine(record), threads(record), rounds(record), record.version)
@@ -48,7 +51,7 @@ fn row(cells: Vec<Cell>) -> Row {
 
 fn bandwidth(record: &BenchRecord) -> Table {
     let b = &record.bandwidth;
-    let cells = |threads: &str, found| row(vec![Cell::text(threads), Cell::text(spread(found))]);
+    let cells = |threads: &str, found| row(vec![Cell::text(threads), Cell::figure(spread(found))]);
     let giga = |found: Option<_>| found.map(|s| scaled(s, 1e-9));
     Table {
         columns: columns(&["a = b + s c", "GB/s"]),
@@ -73,7 +76,7 @@ fn study_page(position: usize, study: &BenchStudy) -> String {
         );
     }
     out += &format!("### Growth\n\n`c N^p`, fitted on the finest meshes.\n\n{}\n", growth(study).to_markdown());
-    out += &format!("### Floors\n\n{}\n", floors(study).to_markdown());
+    out += &format!("### Floors\n\n{FLOORS}\n\n{}\n", floors(study).to_markdown());
     out + &format!("![Seconds and bytes per unknown]({scaled})\n\n")
 }
 
@@ -88,6 +91,7 @@ fn runs(study: &BenchStudy) -> Table {
         "solve (s)",
         "linear (s)",
         "ratio",
+        "ratio (CPU)",
         "to the solution (s)",
         "peak (MB)",
     ];
@@ -96,14 +100,15 @@ fn runs(study: &BenchStudy) -> Table {
         row(vec![
             Cell::text(&curve.solver),
             Cell::Count(study.sizes[run.level].dofs),
-            Cell::text(number(run.relative_error.map(|e| 100.0 * e))),
+            Cell::figure(number(run.relative_error.map(|e| 100.0 * e))),
             Cell::Count(run.iterations),
-            Cell::text(number(run.work)),
-            Cell::text(spread(Some(run.wall.system))),
-            Cell::text(median(linear.map(|l| l.wall))),
-            Cell::text(number(linear.map(|l| l.ratio))),
-            Cell::text(spread(Some(run.wall.solution))),
-            Cell::text(median(run.peak_bytes.map(|p| scaled(p, 1e-6)))),
+            Cell::figure(number(run.work)),
+            Cell::figure(spread(Some(run.wall.system))),
+            Cell::figure(median(linear.map(|l| l.wall))),
+            Cell::figure(number(linear.map(|l| l.ratio))),
+            Cell::figure(number(linear.and_then(|l| l.ratio_processor))),
+            Cell::figure(spread(Some(run.wall.solution))),
+            Cell::figure(median(run.peak_bytes.map(|p| scaled(p, 1e-6)))),
         ])
     };
     let rows = study.solvers.iter().flat_map(|c| c.runs.iter().map(move |r| of(c, r))).collect();
@@ -128,7 +133,7 @@ fn phases(study: &BenchStudy) -> Table {
         let used = run.processor.as_ref().map(|s| [s.mesh, s.assembly, s.setup, s.solve, s.error, s.total]);
         let cell = |k: usize| {
             let used = used.map_or(String::new(), |u| format!(" ({})", significant(u[k].median, 2)));
-            Cell::text(median(Some(wall[k])) + &used)
+            Cell::figure(median(Some(wall[k])) + &used)
         };
         let head = [Cell::text(&curve.solver), Cell::Count(study.sizes[run.level].dofs)];
         row(head.into_iter().chain((0..wall.len()).map(cell)).collect())
@@ -141,7 +146,7 @@ fn targets(study: &BenchStudy) -> Table {
     let headings: Vec<String> = study.targets.iter().map(|t| format!("{} %", significant(100.0 * t, 1))).collect();
     let names: Vec<&str> = std::iter::once("solver").chain(headings.iter().map(String::as_str)).collect();
     let of = |c: &SolverCurve| {
-        let times = c.seconds_to_target.iter().map(|t| Cell::text(number(*t)));
+        let times = c.seconds_to_target.iter().map(|t| Cell::figure(number(*t)));
         row(std::iter::once(Cell::text(&c.solver)).chain(times).collect())
     };
     Table { columns: columns(&names), rows: study.solvers.iter().map(of).collect() }
@@ -151,8 +156,8 @@ fn growth(study: &BenchStudy) -> Table {
     let of = |c: &SolverCurve| {
         row(vec![
             Cell::text(&c.solver),
-            Cell::text(plain_exponent(c.growth_system)),
-            Cell::text(plain_exponent(c.growth_total)),
+            Cell::figure(plain_exponent(c.growth_system)),
+            Cell::figure(plain_exponent(c.growth_total)),
         ])
     };
     let rows = study.solvers.iter().map(of).collect();
@@ -167,10 +172,10 @@ fn floors(study: &BenchStudy) -> Table {
         row(vec![
             Cell::Count(s.dofs),
             Cell::Count(s.cells),
-            Cell::text(number(s.h)),
-            Cell::text(spread(s.product.map(|p| scaled(p, 1e3)))),
-            Cell::text(number(bytes.map(|b| b / s.dofs as f64))),
-            Cell::text(number(rate)),
+            Cell::figure(number(s.h)),
+            Cell::figure(spread(s.product.map(|p| scaled(p, 1e3)))),
+            Cell::figure(number(bytes.map(|b| b / s.dofs as f64))),
+            Cell::figure(number(rate)),
         ])
     };
     Table { columns: columns(&headings), rows: study.sizes.iter().map(of).collect() }

@@ -34,21 +34,21 @@ pub fn scaling(record: &BenchRecord, study: &BenchStudy) -> PanelChart {
     seconds.extend(linear(study));
     seconds.extend(products(record, study));
     let mut bytes = solvers(study, &|run| Some((dofs(run.level), run.peak_bytes?.median / dofs(run.level))));
-    bytes.push(floor("the matrix", Colour::Black, over_sizes(study, |s| Some(s.matrix_bytes? as f64 / s.dofs as f64))));
+    bytes.push(floor(
+        "floor: the matrix",
+        Colour::Black,
+        over_sizes(study, |s| Some(s.matrix_bytes? as f64 / s.dofs as f64)),
+    ));
     let panel = |y_label: &str, series| Panel { x_label: "unknowns N".into(), y_label: y_label.into(), series };
     let grown = |c: &SolverCurve| {
-        format!("{} {}, all phases {}", c.solver, exponent(c.growth_system), exponent(c.growth_total))
+        let [system, total] = [c.growth_system, c.growth_total].map(exponent);
+        format!("Seconds of {} grow like {system} in set-up and solve, {total} in all phases.", c.solver)
     };
-    let fitted: Vec<String> = study.solvers.iter().filter(|c| c.growth_total.is_some()).map(grown).collect();
     PanelChart {
         title: format!("Seconds and bytes per unknown: {}", name(study)),
         subtitle: vec![format!("{}; {}, {}", machine(record), threads(record), rounds(record))],
         panels: [panel("set-up and solve (µs per unknown)", seconds), panel("peak memory (bytes per unknown)", bytes)],
-        remarks: if fitted.is_empty() {
-            Vec::new()
-        } else {
-            vec![format!("Growth of the seconds: {}.", fitted.join("; "))]
-        },
+        remarks: study.solvers.iter().filter(|c| c.growth_total.is_some()).map(grown).collect(),
     }
 }
 
@@ -72,19 +72,19 @@ fn solvers(study: &BenchStudy, point: &dyn Fn(&Measured) -> Option<(f64, f64)>) 
     study.solvers.iter().enumerate().map(series).collect()
 }
 
-/// The linear problem under each solver that has one of its own.
+/// The linear problem, once for each solver that it was solved with.
 fn linear(study: &BenchStudy) -> Vec<Series> {
-    let own = study.solvers.iter().filter(|c| c.solver == c.linear_solver);
-    let series = |curve: &SolverCurve| {
-        let dofs = |run: &Measured| study.sizes[run.level].dofs as f64;
-        let of = |run: &Measured| Some((dofs(run), 1e6 * run.linear?.wall.median / dofs(run)));
-        floor(
-            &format!("all pairs tied, {}", curve.solver),
-            look(&curve.solver).0,
-            curve.runs.iter().filter_map(of).collect(),
-        )
+    let mut names: Vec<&str> = study.solvers.iter().map(|c| c.linear_solver.as_str()).collect();
+    names.sort_unstable();
+    names.dedup();
+    let dofs = |run: &Measured| study.sizes[run.level].dofs as f64;
+    let of = |run: &Measured| Some((dofs(run), 1e6 * run.linear?.wall.median / dofs(run)));
+    let series = |name: &&str| {
+        let sharing = study.solvers.iter().filter(|c| c.linear_solver == *name);
+        let longest = sharing.max_by_key(|c| c.runs.len()).map(|c| c.runs.iter().filter_map(of).collect());
+        floor(&format!("floor: all pairs tied, {name}"), look(name).0, longest.unwrap_or_default())
     };
-    own.map(series).collect()
+    names.iter().map(series).collect()
 }
 
 /// One product with the finest matrix, as measured and as the bandwidth of the memory allows.
@@ -92,7 +92,10 @@ fn products(record: &BenchRecord, study: &BenchStudy) -> [Series; 2] {
     let measured = over_sizes(study, |s| Some(1e6 * s.product?.median / s.dofs as f64));
     let bandwidth = record.bandwidth.all_threads.map(|b| b.median);
     let read = over_sizes(study, |s| Some(1e6 * s.matrix_bytes? as f64 / bandwidth? / s.dofs as f64));
-    [floor("one product", Colour::Black, measured), floor("the matrix read once", Colour::Grey, read)]
+    [
+        floor("floor: one product", Colour::Black, measured),
+        floor("floor: the matrix at full bandwidth", Colour::Grey, read),
+    ]
 }
 
 fn over_sizes(

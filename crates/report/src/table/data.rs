@@ -83,7 +83,7 @@ fn json_value(cell: &Cell) -> Value {
         Cell::Missing => Value::Null,
         Cell::Count(n) => Value::from(*n),
         Cell::Number(x) | Cell::Rate(x) | Cell::Bound(x) => Value::from(*x),
-        Cell::Text(words) => Value::String(words.clone()),
+        Cell::Text(words) | Cell::Figure(words) => Value::String(words.clone()),
         Cell::Flag(yes) => Value::Bool(*yes),
     }
 }

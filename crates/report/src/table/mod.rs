@@ -57,6 +57,8 @@ pub enum Cell {
     Bound(f64),
     /// Words.
     Text(String),
+    /// A number in words, as with its spread: set like a number.
+    Figure(String),
     /// Yes or no.
     Flag(bool),
 }
@@ -87,6 +89,11 @@ impl Cell {
         Self::Text(words.into())
     }
 
+    /// A number in words.
+    pub fn figure(words: impl Into<String>) -> Self {
+        Self::Figure(words.into())
+    }
+
     /// As a reader sees it.
     pub fn display(&self) -> String {
         match self {
@@ -95,7 +102,7 @@ impl Cell {
             Self::Number(x) => format::significant(*x, 5),
             Self::Rate(x) => format::rate(*x),
             Self::Bound(x) => format::bound(*x),
-            Self::Text(words) => words.clone(),
+            Self::Text(words) | Self::Figure(words) => words.clone(),
             Self::Flag(true) => "yes".into(),
             Self::Flag(false) => "no".into(),
         }

@@ -12,7 +12,7 @@ use crate::run::Method;
 use crate::study::ReferencePlan;
 
 /// Largest share of an error that the uncertainty of the extrapolated energy may make.
-const SHARE: f64 = 0.05;
+const SHARE: f64 = 0.1;
 
 /// Outcomes by study, level and task.
 pub(super) struct Sorted<'a>(pub &'a [Repeated]);

@@ -7,9 +7,11 @@ const TICKS: f64 = 100.0;
 
 /// Processor seconds of this process so far, all threads together; nothing where the system does not tell.
 ///
-/// The scheduler's own count of the living threads is exact to its tick of a few milliseconds; without it the count of
-/// `/proc/self/stat` serves, in hundredths of a second.
+/// The scheduler's own count of the living threads serves, in nanoseconds; without it that of `/proc/self/stat`, in hundredths of
+/// a second.
 pub fn processor_seconds() -> Option<f64> {
+    // the scheduler brings a running thread's count up to date when it yields, else at its tick of a few milliseconds
+    std::thread::yield_now();
     of_threads().or_else(of_process)
 }
 
