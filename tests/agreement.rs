@@ -111,7 +111,8 @@ fn multigrid_agrees_with_the_direct_solver_on_every_study_and_every_hard_case() 
         let at = format!("{}/{}", study.id, case.name);
         let compared = Alone { case, scene, cells }.compare(Method::Condensed, Method::Multigrid);
         // what has no solution is refused before any solver sees it
-        let (level, coarser) = compared.map_err(|e| assert!(case.refused || e.to_string().contains("load"), "{at}: {e}")).ok()?;
+        let (level, coarser) =
+            compared.map_err(|e| assert!(case.refused || e.to_string().contains("load"), "{at}: {e}")).ok()?;
         let second = level.second.expect("a second answer");
         assert!(second.solved, "{at}: {}", second.status);
         let allowed = 1e-9 + 50.0 * f64::EPSILON * second.cancellation;

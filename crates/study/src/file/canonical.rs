@@ -5,7 +5,6 @@
 
 use super::layer::Layer;
 use super::number::Finite;
-use super::plan::ACCURACY;
 use super::raw::{RawBoundary, RawExact, RawField, RawPoint, RawTraces};
 use crate::claim::Claim;
 use crate::study::{Block, Case, Scene, Subject};
@@ -54,7 +53,7 @@ fn solver(settings: &Settings) -> String {
     let Settings { method, max_steps, tolerance, crossover, start_slide, accuracy } = settings;
     let start = if *start_slide == 0.0 { String::new() } else { format!(", start_slide: {start_slide:?}") };
     let accuracy = match accuracy {
-        Accuracy::Discretisation(ACCURACY) => String::new(),
+        Accuracy::Floor => String::new(),
         other => format!(", accuracy: {other:?}"),
     };
     format!(

@@ -238,9 +238,6 @@ fn method(name: SolverName) -> Method {
 /// The method where a study names none.
 const METHOD: Method = Method::Automatic;
 
-/// The share of the discretisation error at which multigrid stops on a level where a study names none.
-pub const ACCURACY: f64 = 0.01;
-
 /// Who gives the second opinion; not the solver whose answer it is held against.
 pub fn second(raw: Option<&RawSolver>) -> Result<Option<Method>, Fault> {
     let Some(second) = raw.and_then(|r| r.second.as_ref()) else { return Ok(None) };
@@ -259,14 +256,14 @@ fn accuracy(share: &Spanned<Finite>) -> Result<Accuracy, Fault> {
         share if 0.0 < share && share < 1.0 => Ok(Accuracy::Discretisation(share)),
         other => {
             let message = format!("accuracy = {other} is no share of the discretisation error below 1");
-            refuse(share.span(), message, "0.01 is the default; 0 asks for all that double precision gives")
+            refuse(share.span(), message, "0, the default, asks for all that double precision gives")
         }
     }
 }
 
 /// Solver settings.
 pub fn solver(raw: Option<&RawSolver>) -> Result<Settings, Fault> {
-    let mut settings = Settings { method: METHOD, accuracy: Accuracy::Discretisation(ACCURACY), ..Settings::default() };
+    let mut settings = Settings { method: METHOD, ..Settings::default() };
     let Some(raw) = raw else { return Ok(settings) };
     settings.method = raw.name.map_or(METHOD, method);
     if let Some(t) = &raw.tolerance {

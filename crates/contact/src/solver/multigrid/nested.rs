@@ -10,8 +10,8 @@ use crate::solver::{Method, Prepared, QpSolution, Settings, Status, condensed};
 /// Iterations on the finest level, at most.
 const MOST: usize = 200;
 /// Iterations on a level below the finest, at most, and the share of its discretisation error that is enough there.
-const MOST_BELOW: usize = 2;
-const BELOW: f64 = 0.1;
+const MOST_BELOW: usize = 6;
+const BELOW: f64 = 0.2;
 /// The residual is computed anew after so many iterations.
 const REFRESH: usize = 10;
 /// A decrease below this share of the energy cannot be told from rounding.
