@@ -79,7 +79,8 @@ impl CurvedTriangle<'_> {
     pub fn arc(&self, t: f64) -> (Point, Vec2) {
         let width = self.span[1] - self.span[0];
         let s = self.span[0] + t * width;
-        (self.curve.point(s), width * self.curve.derivatives(s)[0])
+        let (point, velocity) = self.curve.point_and_velocity(s);
+        (point, width * velocity)
     }
 
     /// The point with the coordinates `(ρ, τ)`.
@@ -129,20 +130,9 @@ impl CurvedTriangle<'_> {
 
     /// The same on a patch of the coordinates `(ρ, τ)`.
     pub fn points_within(&self, rho: [f64; 2], tau: [f64; 2], visit: &mut impl FnMut(&ElementPoint, f64)) {
-        self.points_by(&GAUSS_8, rho, tau, visit);
-    }
-
-    /// The same by the product of a rule on `(0, 1)`, as nodes and weights, with itself.
-    pub fn points_by(
-        &self,
-        rule: &[(f64, f64)],
-        rho: [f64; 2],
-        tau: [f64; 2],
-        visit: &mut impl FnMut(&ElementPoint, f64),
-    ) {
         let (dr, dt) = (rho[1] - rho[0], tau[1] - tau[0]);
-        for &(r, wr) in rule {
-            for &(t, wt) in rule {
+        for (r, wr) in GAUSS_8 {
+            for (t, wt) in GAUSS_8 {
                 let point = self.at(rho[0] + r * dr, tau[0] + t * dt);
                 visit(&point, wr * wt * dr * dt * point.jacobian);
             }

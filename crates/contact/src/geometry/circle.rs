@@ -33,6 +33,12 @@ impl Curve for CircularArc {
         [self.radius * turn * Vec2::new(-sin, cos), -self.radius * turn * turn * Vec2::new(cos, sin)]
     }
 
+    fn point_and_velocity(&self, s: f64) -> (Point, Vec2) {
+        let (sin, cos) = self.angle(s).sin_cos();
+        let velocity = self.radius * (self.to - self.from) * Vec2::new(-sin, cos);
+        (self.centre + self.radius * Vec2::new(cos, sin), velocity)
+    }
+
     fn describe(&self) -> String {
         format!(
             "circle centre ({:?}, {:?}) radius {:?} from {:?} to {:?}",

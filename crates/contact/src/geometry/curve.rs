@@ -13,6 +13,11 @@ pub trait Curve: fmt::Debug + Send + Sync {
     /// `γ'(s)` and `γ''(s)`.
     fn derivatives(&self, s: f64) -> [Vec2; 2];
 
+    /// `γ(s)` and `γ'(s)`, where one evaluation serves both.
+    fn point_and_velocity(&self, s: f64) -> (Point, Vec2) {
+        (self.point(s), self.derivatives(s)[0])
+    }
+
     /// Kind and numbers in words, the same for equal curves: what hashes and messages show.
     fn describe(&self) -> String;
 
@@ -39,7 +44,11 @@ pub trait Curve: fmt::Debug + Send + Sync {
     fn foot(&self, x: Point) -> f64 {
         let far = |s: f64| (self.point(s) - x).norm_squared();
         let samples = (0..=SAMPLES).map(|k| f64::from(k) / f64::from(SAMPLES));
-        let start = samples.fold(0.0, |best, s| if far(s) < far(best) { s } else { best });
+        let nearer = |(best, least): (f64, f64), s: f64| {
+            let distance = far(s);
+            if distance < least { (s, distance) } else { (best, least) }
+        };
+        let (start, _) = samples.fold((0.0, f64::INFINITY), nearer);
         newton(self, x, start)
     }
 }

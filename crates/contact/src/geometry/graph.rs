@@ -47,6 +47,13 @@ impl Curve for Graph {
         [width * self.combine(f1, 1.0), width * width * self.combine(f2, 0.0)]
     }
 
+    fn point_and_velocity(&self, s: f64) -> (Point, Vec2) {
+        let width = self.to - self.from;
+        let eta = self.from + s * width;
+        let [f, f1, _] = (self.function)(eta);
+        (self.combine(f, eta), width * self.combine(f1, 1.0))
+    }
+
     fn describe(&self) -> String {
         let e = self.direction;
         format!("graph of {} along ({:?}, {:?}) from {:?} to {:?}", self.name, e.x, e.y, self.from, self.to)

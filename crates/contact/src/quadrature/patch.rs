@@ -40,6 +40,9 @@ impl Patch {
     }
 }
 
+/// A piece is no longer than this many chords; what is farther from its start cannot lie on it.
+const LONGEST: f64 = 8.0;
+
 /// A cut nearer to an end than this share of the piece is that end: the points of what it cuts off would round to the singular point
 /// itself.
 const SLIVER: f64 = 1e-11;
@@ -70,9 +73,10 @@ impl Cubature {
     /// points and breaks on it and graded towards them. The weights sum to 1.
     pub fn along(&self, piece: &Piece, visit: &mut impl FnMut(f64, f64)) {
         let mut cuts = Vec::new();
-        let size = (piece.point(1.0) - piece.point(0.0)).norm();
-        cuts.extend(self.breaks.iter().flat_map(|cut| crossings(piece, cut)));
-        let on = |p: &&Point| piece.distance(**p) < 1e-9 * size;
+        let (start, size) = (piece.point(0.0), (piece.point(1.0) - piece.point(0.0)).norm());
+        let near = |cut: &&Segment| cut.distance(start) <= LONGEST * size;
+        cuts.extend(self.breaks.iter().filter(near).flat_map(|cut| crossings(piece, cut)));
+        let on = |p: &&Point| (*p - start).norm() <= LONGEST * size && piece.distance(**p) < 1e-9 * size;
         cuts.extend(self.singular.iter().filter(on).map(|&p| piece.foot(p)));
         cuts.retain(|t| (SLIVER..=1.0 - SLIVER).contains(t));
         cuts.extend([0.0, 1.0]);

@@ -59,6 +59,29 @@ fn the_conical_product_is_exact_to_degree_ten() {
     assert!(error(6, 7) > 1e-15, "degree 13 is beyond the rule: {}", error(6, 7));
 }
 
+/// Largest error of a rule on the monomials of a degree, on the unit triangle.
+fn worst(rule: &dyn Fn(&mut dyn FnMut(Point, f64)), degree: u32) -> f64 {
+    let error = |p: u32| {
+        let (q, mut sum) = (degree - p, 0.0);
+        rule(&mut |x, w| sum += w * x.x.powi(p as i32) * x.y.powi(q as i32));
+        (sum - factorial(p) * factorial(q) / factorial(degree + 2)).abs()
+    };
+    (0..=degree).map(error).fold(0.0, f64::max)
+}
+
+#[test]
+fn rules_are_exact_to_their_degree_and_no_further() {
+    type Rule<'a> = &'a dyn Fn(&mut dyn FnMut(Point, f64));
+    let three: Rule = &|visit| three_points(unit(), &mut |x, w| visit(x, w));
+    let six: Rule = &|visit| six_points(unit(), &mut |x, w| visit(x, w));
+    for (rule, degree, beyond) in [(three, 2, 1e-4), (six, 4, 1e-5)] {
+        for d in 0..=degree {
+            assert!(worst(rule, d) < 1e-15, "degree {d} of {degree}: {:e}", worst(rule, d));
+        }
+        assert!(worst(rule, degree + 1) > beyond, "{:e}", worst(rule, degree + 1));
+    }
+}
+
 #[test]
 fn sides_are_exact_to_degree_nine() {
     let (a, b) = (Point::new(1.0, 2.0), Point::new(4.0, 6.0));

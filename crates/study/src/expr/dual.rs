@@ -1,8 +1,9 @@
-//! Numbers of the plane that carry their derivatives: first ones, or first and second ones.
+//! Numbers that carry their derivatives: first ones in the plane, first and second ones in the plane, or both along a line.
 //!
-//! A number is `a` with `∂_x a, ∂_y a` and, of [`Dual2`], `∂_xx a, ∂_xy a, ∂_yy a`. All arithmetic is the product and the chain
+//! A number is `a` with `∂_x a, ∂_y a` and, of [`Dual2`], `∂_xx a, ∂_xy a, ∂_yy a`; [`Along`] has `a', a''`. All arithmetic is the product and the chain
 //! rule; the Hessian is stored once, so it is symmetric to the last bit.
 
+use super::Expression;
 use super::scalar::Real;
 use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
@@ -24,6 +25,23 @@ pub struct Dual2 {
     pub gradient: [f64; 2],
     /// `∂_xx a, ∂_xy a, ∂_yy a`.
     pub hessian: [f64; 3],
+}
+
+/// A value with its first and second derivative by one variable.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Along {
+    /// `a`.
+    pub re: f64,
+    /// `a', a''`.
+    pub derivatives: [f64; 2],
+}
+
+impl Along {
+    /// The variable itself where it is `re`.
+    #[inline]
+    pub fn variable(re: f64) -> Self {
+        Self { re, derivatives: [1.0, 0.0] }
+    }
 }
 
 impl Dual {
@@ -61,6 +79,11 @@ impl Real for Dual {
     fn chain_plane(x: Self, y: Self, f0: f64, f1: [f64; 2], _: [f64; 3]) -> Self {
         Self { re: f0, gradient: combine(f1[0], x.gradient, f1[1], y.gradient) }
     }
+
+    #[inline]
+    fn through(self, f: &Expression) -> Self {
+        follow(self, f)
+    }
 }
 
 impl Real for Dual2 {
@@ -90,6 +113,43 @@ impl Real for Dual2 {
         let bent = [bend(0, 0), bend(0, 1), bend(1, 1)];
         Self { re: f0, gradient: combine(f1[0], a, f1[1], b), hessian: combine(1.0, straight, 1.0, bent) }
     }
+
+    #[inline]
+    fn through(self, f: &Expression) -> Self {
+        follow(self, f)
+    }
+}
+
+impl Real for Along {
+    #[inline]
+    fn re(&self) -> f64 {
+        self.re
+    }
+
+    #[inline]
+    fn chain(self, f0: f64, f1: f64, f2: f64) -> Self {
+        let [v, h] = self.derivatives;
+        // (f(x))'' = f'' x'² + f' x''
+        Self { re: f0, derivatives: [times(v, f1), times(v * v, f2) + times(h, f1)] }
+    }
+
+    #[inline]
+    fn chain_plane(x: Self, y: Self, f0: f64, f1: [f64; 2], f2: [f64; 3]) -> Self {
+        let ([a, h], [b, k]) = (x.derivatives, y.derivatives);
+        let bend = f2[0] * a * a + 2.0 * f2[1] * a * b + f2[2] * b * b;
+        Self { re: f0, derivatives: [f1[0] * a + f1[1] * b, f1[0] * h + f1[1] * k + bend] }
+    }
+
+    #[inline]
+    fn through(self, f: &Expression) -> Self {
+        f.eval(&[self])
+    }
+}
+
+/// `f(x)` by the derivatives of `f` along its one variable: dearer numbers never enter `f`.
+fn follow<D: Real>(x: D, f: &Expression) -> D {
+    let Along { re, derivatives: [slope, bend] } = f.eval(&[Along::variable(x.re())]);
+    x.chain(re, slope, bend)
 }
 
 /// `a f`, but 0 for `a = 0` whatever `f` is.
@@ -129,6 +189,29 @@ impl Mul for Dual2 {
     }
 }
 
+impl Mul for Along {
+    type Output = Self;
+    #[inline]
+    fn mul(self, b: Self) -> Self {
+        let ([a1, a2], [b1, b2]) = (self.derivatives, b.derivatives);
+        // (ab)'' = a'' b + 2 a' b' + a b''
+        let derivatives = [b.re * a1 + self.re * b1, b.re * a2 + self.re * b2 + 2.0 * a1 * b1];
+        Self { re: self.re * b.re, derivatives }
+    }
+}
+
+impl Div for Along {
+    type Output = Self;
+    #[inline]
+    fn div(self, b: Self) -> Self {
+        let ([a1, a2], [b1, b2]) = (self.derivatives, b.derivatives);
+        // q = a/b: q' = (a' − q b')/b, q'' = (a'' − q b'' − 2 q' b')/b
+        let (q, inverse) = (self.re / b.re, 1.0 / b.re);
+        let slope = (a1 - q * b1) * inverse;
+        Self { re: q, derivatives: [slope, (a2 - q * b2 - 2.0 * slope * b1) * inverse] }
+    }
+}
+
 impl Div for Dual {
     type Output = Self;
     #[inline]
@@ -151,7 +234,7 @@ impl Div for Dual2 {
     }
 }
 
-/// Sums, scaling and assignment, the same for both kinds of numbers; `$part` are the parts beside the value.
+/// Sums, scaling and assignment, the same for all kinds of numbers; `$part` are the parts beside the value.
 macro_rules! linear {
     ($number:ident, $($part:ident),+) => {
         impl From<f64> for $number {
@@ -242,3 +325,4 @@ macro_rules! linear {
 
 linear!(Dual, gradient);
 linear!(Dual2, gradient, hessian);
+linear!(Along, derivatives);

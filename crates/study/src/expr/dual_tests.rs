@@ -1,6 +1,6 @@
 //! Arithmetic of the dual numbers against those of `num-dual`, which share no line with them.
 
-use super::{Dual, Dual2, Real, power, sqrt};
+use super::{Along, Dual, Dual2, Expression, Real, power, sqrt};
 use num_dual::{Dual2SVec64, DualNum};
 
 /// Values, first and second derivatives of a number of `num-dual`.
@@ -74,4 +74,33 @@ fn an_infinite_slope_stays_out_of_directions_that_do_not_move() {
     assert_eq!((root.gradient, root.hessian), ([f64::INFINITY, 0.0], [f64::NEG_INFINITY, 0.0, 0.0]));
     assert_eq!(sqrt(Dual2::from(0.0)), Dual2::from(0.0));
     assert_eq!(sqrt(Dual::from(0.0)), Dual::from(0.0));
+}
+
+/// Along a line the derivatives are those by that coordinate in the plane.
+#[test]
+fn functions_of_one_variable_are_those_of_the_plane() {
+    for text in
+        ["t^3/(1 + t^2)", "pos(t - 0.3)^1.5*cos(2*t)", "-exp(t)*t + log(2 + t) - sqrt(t)", "if(t < 0.5, t, t^4)"]
+    {
+        let f = Expression::parse(text, &["t"], &Default::default()).unwrap();
+        for t in [0.1, 0.45, 0.9] {
+            let (line, plane) = (f.eval(&[Along::variable(t)]), f.eval(&[Dual2::variable(t, 1)]));
+            let pairs = [(line.re, plane.re), (line.derivatives[0], plane.gradient[1])];
+            let pairs = pairs.into_iter().chain([(line.derivatives[1], plane.hessian[2])]);
+            pairs.for_each(|(a, b)| assert!((a - b).abs() <= 1e-14 * (1.0 + b.abs()), "{text} at {t}: {a} {b}"));
+            let (x, y) = curved(Dual2::variable(t, 0), Dual2::variable(0.2, 1));
+            let inner = x * 0.5 + y * y * 0.1;
+            let (through, direct) = (inner.through(&f), f.eval(&[inner]));
+            assert!(
+                (0..3)
+                    .all(|k| (through.hessian[k] - direct.hessian[k]).abs() < 1e-13 * (1.0 + direct.hessian[k].abs()))
+            );
+            assert!((0..2).all(|k| (through.gradient[k] - direct.gradient[k]).abs() < 1e-13));
+        }
+    }
+    let whole = Along::variable(0.7);
+    let quotient = (whole * whole + 1.0) / (whole * 2.0);
+    // (t² + 1)/(2t): slope ½ − 1/(2t²), bend 1/t³
+    assert!((quotient.derivatives[0] - (0.5 - 0.5 / 0.49)).abs() < 1e-15);
+    assert!((quotient.derivatives[1] - 1.0 / 0.343).abs() < 1e-14);
 }

@@ -36,7 +36,7 @@ mod scalar;
 mod tests;
 mod tree;
 
-pub use dual::{Dual, Dual2};
+pub use dual::{Along, Dual, Dual2};
 pub use error::ExprError;
 pub use scalar::{Real, atan2, positive_power, power, sqrt};
 

@@ -1,5 +1,6 @@
 //! Numbers that carry derivatives, and the functions whose derivatives need care at the edge of their domain.
 
+use super::Expression;
 use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
 /// A number with no, first, or first and second derivatives in the plane.
@@ -32,6 +33,10 @@ pub trait Real:
     /// `f(x, y)`, given `f`, its derivatives `f_x, f_y` and `f_xx, f_xy, f_yy` at the values of `x` and `y`, all finite.
     #[must_use]
     fn chain_plane(x: Self, y: Self, f0: f64, f1: [f64; 2], f2: [f64; 3]) -> Self;
+
+    /// `f(self)` for an expression in one variable.
+    #[must_use]
+    fn through(self, f: &Expression) -> Self;
 
     /// `1/self`.
     #[inline]
@@ -91,6 +96,11 @@ impl Real for f64 {
     fn chain_plane(_: Self, _: Self, f0: f64, _: [f64; 2], _: [f64; 3]) -> Self {
         f0
     }
+
+    #[inline]
+    fn through(self, f: &Expression) -> Self {
+        f.eval(&[self])
+    }
 }
 
 /// `√x`; at 0 the derivatives are infinite.
@@ -107,7 +117,11 @@ pub fn sqrt<D: Real>(x: D) -> D {
 #[inline]
 pub fn power<D: Real>(x: D, n: f64) -> D {
     let t = x.re();
-    if n.fract() == 0.0 && n.abs() <= 1024.0 {
+    if n == 2.0 {
+        x.chain(t * t, 2.0 * t, 2.0)
+    } else if n == 3.0 {
+        x.chain(t * t * t, 3.0 * (t * t), 6.0 * t)
+    } else if n.fract() == 0.0 && n.abs() <= 1024.0 {
         let n = n as i32;
         let (c1, c2) = (f64::from(n), f64::from(n) * f64::from(n - 1));
         x.chain(t.powi(n), coefficient(c1, || t.powi(n - 1)), coefficient(c2, || t.powi(n - 2)))

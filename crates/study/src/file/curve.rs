@@ -5,7 +5,7 @@ use super::field::expression_fault;
 use super::raw::{RawCircle, RawCurve, RawGraph};
 use super::shape::point;
 use super::words::suggestion;
-use crate::expr::{Dual2, Expression};
+use crate::expr::{Along, Expression};
 use signorini_contact::geometry::{CircularArc, Graph, SharedCurve, Spline};
 use signorini_contact::{Point, Vec2};
 use std::collections::BTreeMap;
@@ -124,8 +124,8 @@ const ETA: &str = "eta";
 
 /// `f, f', f''`.
 fn jet(xi: &Expression, eta: f64) -> [f64; 3] {
-    let f = xi.eval(&[Dual2::variable(eta, 0)]);
-    [f.re, f.gradient[0], f.hessian[0]]
+    let Along { re, derivatives: [slope, bend] } = xi.eval(&[Along::variable(eta)]);
+    [re, slope, bend]
 }
 
 fn finite(xi: &Expression, from: f64, to: f64, span: Range<usize>) -> Result<(), Fault> {

@@ -77,7 +77,7 @@ struct BodyTraces {
 impl Traces {
     fn trace<D: Real>(&self, body: Body, parameter: D) -> Trace<D> {
         let own = &self.bodies[body.index()];
-        let at = |e: &Expression| e.eval(&[parameter]);
+        let at = |e: &Expression| parameter.through(e);
         Trace { a: at(&own.a), slope_a: at(&own.slope_a), w: at(&own.w), slope_w: at(&own.slope_w), p: at(&self.p) }
     }
 
@@ -98,7 +98,7 @@ impl Traces {
             }
             Line::Graph(f) => {
                 let f = &f[body.index()];
-                let (foot, slope) = (f.value.eval(&[y]), f.slope.eval(&[y]));
+                let (foot, slope) = (y.through(&f.value), y.through(&f.slope));
                 (graph::extended(&self.trace(body, y), lame, slope, x - foot), [foot, y])
             }
         }

@@ -8,7 +8,7 @@ use signorini_contact::material::{Material, contract, strain};
 use signorini_contact::mesh::Mesh;
 use signorini_contact::norm::Squares;
 use signorini_contact::quadrature::{
-    Cubature, Patch, conical_points, conical_sixty_four, seven_points, six_points, sixteen_points, three_points,
+    Cubature, Patch, conical_points, seven_points, six_points, sixteen_points, three_points,
 };
 use signorini_contact::{Body, Vec2};
 use std::ops::AddAssign;
@@ -91,15 +91,14 @@ impl<'a> ElementIntegrand<'a> {
             Rule::Seven => seven_points(piece, &mut add),
             Rule::Sixteen => sixteen_points(piece, &mut add),
             Rule::Conical => conical_points(piece, &mut add),
-            Rule::ConicalSixtyFour => conical_sixty_four(piece, &mut add),
         }
         sums
     }
 
-    /// What a patch of a triangle with a curved side contributes by the product of a rule on `(0, 1)` with itself.
-    pub fn over_patch(&self, triangle: &CurvedTriangle, patch: Patch, rule: &[(f64, f64)]) -> CurvedPart {
+    /// What a patch of a triangle with a curved side contributes.
+    pub fn over_patch(&self, triangle: &CurvedTriangle, patch: Patch) -> CurvedPart {
         let mut part = CurvedPart::default();
-        triangle.points_by(rule, patch.rho, patch.tau, &mut |p, weight| {
+        triangle.points_within(patch.rho, patch.tau, &mut |p, weight| {
             let linear = p.gradient(&self.nodal);
             let grad_w = self.add(p.x, weight, &p.hats, &linear, &mut part.element);
             part.add_moments(p, weight, &grad_w);
@@ -138,8 +137,6 @@ pub enum Rule {
     Sixteen,
     /// Of degree 10, 36 points.
     Conical,
-    /// Of degree 14, 64 points.
-    ConicalSixtyFour,
 }
 
 fn add_scaled(sum: &mut [[f64; 2]; 2], factor: f64, by: &[[f64; 2]; 2]) {

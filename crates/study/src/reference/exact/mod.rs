@@ -37,6 +37,9 @@ use signorini_contact::{Error, Vec2, assembly};
 /// A piece of an element is not split more often than this.
 const DEEPEST: u32 = 6;
 
+/// On meshes of more triangles than this low degrees are tried first: on coarser ones they never suffice.
+const FINE: usize = 100_000;
+
 /// Size of the first pieces relative to their distance from a singular point.
 const ADAPTIVE_GRADING: f64 = 0.9;
 
@@ -106,7 +109,7 @@ impl Pair {
             .collect();
         let straight = |t: usize| match fixed {
             true => element(t).plainly(&cubature),
-            false => element(t).adaptively(&cubature, share, deepest),
+            false => element(t).adaptively(&cubature, share, deepest, mesh.triangles.len() > FINE),
         };
         let Gathered { sums, load: [base_load, fine_load], kept } = Gathered::new(mesh, &curved, straight);
         let of = |k: usize, load| Integrals::new(scene, exact, mesh, sums[k], load, &scene.cubature(k as u32, fixed));
