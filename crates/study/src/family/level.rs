@@ -78,6 +78,7 @@ pub fn build_level(family: &Family, domain: &Domain, cells: &[usize], index: usi
         None if family.is_refined() => {
             return refuse(not_a_refinement(cells[0], n));
         }
+        Some(steps) if steps > 1 && *family == Family::Structured => scene.mapped(cells[0], steps)?,
         _ => Hierarchy::new(scene.fresh(n)?),
     };
     let finest = hierarchy.finest();
@@ -153,6 +154,15 @@ impl Scene<'_> {
     fn refined(&self, coarse: usize, steps: usize) -> Result<Hierarchy, Error> {
         let mut hierarchy = Hierarchy::new(self.fresh(coarse)?);
         (0..steps).for_each(|_| hierarchy.refine());
+        Ok(hierarchy)
+    }
+
+    /// Every level a fresh mesh, numbered like a refinement of the one below.
+    fn mapped(&self, coarse: usize, steps: usize) -> Result<Hierarchy, Error> {
+        let mut hierarchy = Hierarchy::new(self.fresh(coarse)?);
+        for step in 1..=steps {
+            hierarchy.refine_onto(&self.fresh(coarse << step)?)?;
+        }
         Ok(hierarchy)
     }
 
