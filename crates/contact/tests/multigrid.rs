@@ -184,7 +184,6 @@ fn at_the_floor_it_is_the_direct_solution() {
         with_problem(&scene, 3, |hierarchy, problem, discrete| {
             let (fast, direct) = (multigrid(hierarchy, problem, discrete, Accuracy::Floor), condensed(discrete));
             let name = scene.name;
-            eprintln!("{name}: {} it, {} wu, {:?}", fast.iterations, fast.work, fast.history);
             assert!(fast.status.is_solved() && fast.iterations > 1, "{name}: {}", fast.status);
             let scale = half_strain_energy(discrete, &direct.x);
             let apart: Vec<f64> = fast.x.iter().zip(&direct.x).map(|(a, b)| a - b).collect();

@@ -120,12 +120,16 @@ fn numbers(old: &[u32], parents: &[[u32; 2]], fresh: &Mesh) -> Result<Vec<u32>, 
     let mut midpoints: Vec<([u32; 2], u32)> = (first..).zip(parents).map(|(i, p)| (*p, i)).collect();
     found.par_sort_unstable();
     midpoints.par_sort_unstable();
-    if let Some((&([a, b], k), _)) = found.iter().zip(&midpoints).find(|(f, m)| f.0 != m.0) {
-        let place = at(fresh.points[k as usize]);
+    if let Some(((near, k), _)) = found.iter().zip(&midpoints).find(|(f, m)| f.0 != m.0) {
         return refuse(format!(
-            "beside the new node at {place} lie the old nodes {a} and {b}{}, which must be the ends of one side that no other \
-             new node halves; cut both meshes by the same diagonals",
-            if b == NONE { " (none)" } else { "" }
+            "beside the new node at {} {}, where the ends of one side must lie that no other new node halves; cut the halved \
+             cells like the whole ones",
+            at(fresh.points[*k as usize]),
+            match near {
+                [NONE, _] => "lies no old node".into(),
+                [a, NONE] => format!("lies the old node {a} alone"),
+                [a, b] => format!("lie the old nodes {a} and {b}"),
+            }
         ));
     }
     if found.len() != midpoints.len() {
