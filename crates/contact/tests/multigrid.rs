@@ -33,6 +33,8 @@ struct Scene {
     load: Load,
     materials: [Material; 2],
     bilateral: &'static [usize],
+    /// The mesh of `n` cells, where every level is mapped anew; elsewhere levels are refinements.
+    mapped: Option<fn(usize) -> Mesh>,
 }
 
 /// Young's modulus and Poisson's ratio in plane strain.
@@ -109,6 +111,7 @@ fn scenes() -> Vec<Scene> {
         load,
         materials,
         bilateral: &[],
+        mapped: None,
     };
     let bending: Load = |x| Vec2::new(0.0, -0.1 * (1.0 - 1.75 * x.x));
     let pressing: Load = |x| Vec2::new(0.0, -0.1 - 0.02 * x.x);
@@ -127,6 +130,11 @@ fn scenes() -> Vec<Scene> {
         scene("in a hollow", hollow(4), FLOATING, |_| Vec2::new(0.0, -0.1), steel),
         scene("guided in a hollow", hollow(4), GUIDED, bending, steel),
         Scene {
+            mapped: Some(hollow),
+            ..scene("in a mapped hollow", hollow(4), FLOATING, |_| Vec2::new(0.0, -0.1), steel)
+        },
+        Scene { mapped: Some(hollow), ..scene("guided in a mapped hollow", hollow(4), GUIDED, bending, steel) },
+        Scene {
             bilateral: &[1],
             ..scene("held on one leg", bodies(4, 0.5), GUIDED, |x| Vec2::new(0.0, 0.1 - 0.5 * x.x), steel)
         },
@@ -136,7 +144,12 @@ fn scenes() -> Vec<Scene> {
 /// The problem on the finest of `refinements` + 1 levels.
 fn with_problem<T>(scene: &Scene, refinements: usize, run: impl FnOnce(&Hierarchy, &Problem, &Discrete) -> T) -> T {
     let mut hierarchy = Hierarchy::new(scene.coarse.clone());
-    (0..refinements).for_each(|_| hierarchy.refine());
+    for step in 1..=refinements {
+        match scene.mapped {
+            Some(mesh) => hierarchy.refine_onto(&mesh(4 << step)).unwrap(),
+            None => hierarchy.refine(),
+        }
+    }
     let (data, cubature) = (Top(scene.load), Cubature::default());
     let mesh = hierarchy.finest();
     let problem =

@@ -20,7 +20,8 @@ pub struct Level {
     /// Whether the mesh refines the one of the previous level, so that `V_{k−1} ⊂ V_k` by construction. `false` for the first
     /// level and for fresh meshes, even where the spaces happen to be nested.
     pub nested: bool,
-    /// Name of the mesh, see [`Mesh::hash`].
+    /// Name of the mesh, see [`Mesh::hash`]; of a mesh mapped anew with the numbers that it was made with, by which the same mesh has
+    /// the same name whether there are levels below it or not.
     pub hash: String,
 }
 
@@ -61,7 +62,8 @@ impl Domain<'_> {
 /// The mesh of level `index`, with `cells[index]` cells per unit of the blocks' divisions.
 ///
 /// `cells` lists all levels and must not descend. A level depends on `cells[0]`, `cells[index]` and, for `nested` alone, on
-/// `cells[index − 1]`. On curved bodies only a refined family is made by refinement; the others are fresh meshes.
+/// `cells[index − 1]`. On curved bodies only a refined family is made by refinement; the others are fresh meshes. Fresh structured
+/// meshes whose cells were doubled at least twice stand above those with fewer cells, for multigrid.
 ///
 /// # Errors
 /// [`Error::Mesh`] for cells that descend or are 0, an index without cells, an amount outside `[0, ½)`, a refined family whose
@@ -73,15 +75,16 @@ pub fn build_level(family: &Family, domain: &Domain, cells: &[usize], index: usi
     };
     let scene = Scene { family, domain };
     let by_refinement = family.is_refined() || domain.nests(family);
-    let hierarchy = match refinements(cells[0], n) {
-        Some(steps) if by_refinement => scene.refined(cells[0], steps)?,
+    let (hierarchy, name) = match refinements(cells[0], n) {
+        Some(steps) if by_refinement => (scene.refined(cells[0], steps)?, None),
         None if family.is_refined() => {
             return refuse(not_a_refinement(cells[0], n));
         }
-        _ => Hierarchy::new(scene.fresh(n)?),
+        Some(steps) if steps > 1 && *family == Family::Structured => scene.mapped(cells[0], steps)?,
+        _ => (Hierarchy::new(scene.fresh(n)?), None),
     };
     let finest = hierarchy.finest();
-    let (quality, hash) = rayon::join(|| finest.quality(), || finest.hash());
+    let (quality, hash) = rayon::join(|| finest.quality(), || name.unwrap_or_else(|| finest.hash()));
     Ok(Level { quality, hash, nested: domain.nests(family) && index > 0 && follows(cells, index), hierarchy })
 }
 
@@ -154,6 +157,17 @@ impl Scene<'_> {
         let mut hierarchy = Hierarchy::new(self.fresh(coarse)?);
         (0..steps).for_each(|_| hierarchy.refine());
         Ok(hierarchy)
+    }
+
+    /// Every level a fresh mesh, numbered like a refinement of the one below; and the name of the finest as it was made.
+    fn mapped(&self, coarse: usize, steps: usize) -> Result<(Hierarchy, Option<String>), Error> {
+        let mut hierarchy = Hierarchy::new(self.fresh(coarse)?);
+        for step in 1..steps {
+            hierarchy.refine_onto(&self.fresh(coarse << step)?)?;
+        }
+        let finest = self.fresh(coarse << steps)?;
+        hierarchy.refine_onto(&finest)?;
+        Ok((hierarchy, Some(finest.hash())))
     }
 
     /// The mesh of `n` cells by itself. Random numbers depend on the seed and on `n` alone.

@@ -11,7 +11,7 @@
 //! | degenerate | a fresh mesh of cells ever flatter: its smallest angle falls like `h` | no |
 //!
 //! On bodies with curved sides no family is nested, since new nodes go to the curves; only `refined` is made by refinement
-//! there.
+//! there. The levels of `structured` are mapped anew, each numbered like a refinement of the one below.
 
 use signorini_contact::Point;
 use signorini_contact::mesh::blocks::Pattern;

@@ -2,9 +2,11 @@
 
 use super::{Domain, Family, Level, build_level, build_reference, refinements};
 use crate::study::{Block, Shape};
-use signorini_contact::geometry::twice_area;
+use signorini_contact::geometry::{CircularArc, Path, SharedCurve, twice_area};
 use signorini_contact::mesh::{Hierarchy, Mesh, PartOutline};
 use signorini_contact::{Body, ContactLine, Error, Point, Vec2};
+use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2};
+use std::sync::Arc;
 
 struct Scene {
     name: &'static str,
@@ -248,6 +250,61 @@ fn references_of_other_families_are_levels_like_the_others() {
             assert_eq!((reference.levels().len(), reference.finest().hash()), (1, level.hash));
         }
     }
+}
+
+/// A quarter of the unit disc in a square of side 2 with a round hole.
+fn disc() -> Scene {
+    let arc: SharedCurve = Arc::new(CircularArc { centre: Point::zeros(), radius: 1.0, from: 0.0, to: FRAC_PI_2 });
+    let c = FRAC_1_SQRT_2;
+    let inside = [[0.5, 0.0], [1.0, 0.0], [0.0, 1.0], [0.0, 0.5]];
+    let outside = [[[1.0, 0.0], [2.0, 0.0], [2.0, 2.0], [c, c]], [[c, c], [2.0, 2.0], [0.0, 2.0], [0.0, 1.0]]];
+    let mut shapes = [shape("inside", &[inside]), shape("outside", &outside)];
+    shapes[0].blocks[0].divisions = [1, 2];
+    shapes[0].blocks[0].curves[1] = Some(arc.clone());
+    shapes[1].blocks.iter_mut().for_each(|b| b.curves[3] = Some(arc.clone()));
+    let rest = [[1.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 1.0]];
+    Scene {
+        name: "disc",
+        shapes,
+        outlines: vec![
+            part(Body::First, "rest", &[[0.0, 1.0], [0.0, 0.5], [0.5, 0.0], [1.0, 0.0]]),
+            part(Body::Second, "rest", &rest),
+        ],
+        contact: ContactLine::Common(Path::along(arc)),
+        areas: [0.5 * FRAC_PI_2 - 0.125, 4.0 - 0.5 * FRAC_PI_2],
+        angle: f64::NAN,
+    }
+}
+
+/// Doubled twice or more, structured levels stand above coarser ones; the finest is still the mesh that it would be alone.
+#[test]
+fn on_curved_bodies_levels_are_mapped_anew_above_coarser_ones() {
+    let cells = [1, 2, 3, 4, 8];
+    let depth = |family| [0, 1, 2, 3, 4].map(|i| disc().level(family, &cells, i).unwrap().hierarchy.levels().len());
+    assert_eq!(depth(Family::Structured), [1, 1, 1, 3, 4]);
+    assert_eq!(depth(Family::CrissCross), [1; 5]);
+    assert_eq!(depth(PERTURBED), [1; 5]);
+    let level = disc().level(Family::Structured, &cells, 4).unwrap();
+    let alone = disc().level(Family::Structured, &[8], 0).unwrap();
+    assert!(!level.nested && alone.hierarchy.levels().len() == 1);
+    assert_eq!(level.hash, alone.hash);
+    let (quality, other) = (level.quality, alone.quality);
+    assert!((quality.h - other.h).abs() < 1e-15 && (quality.min_angle - other.min_angle).abs() < 1e-11);
+    let places = |mesh: &Mesh| {
+        let mut places: Vec<_> = mesh.points.iter().map(|p| (p.x.to_bits(), p.y.to_bits())).collect();
+        places.sort_unstable();
+        places
+    };
+    assert_eq!(places(level.hierarchy.finest()), places(alone.hierarchy.finest()));
+    for mesh in level.hierarchy.levels() {
+        for body in Body::BOTH {
+            let own = (0..mesh.triangles.len()).filter(|&t| mesh.body(t) == body);
+            let wrong = own.map(|t| mesh.area(t)).sum::<f64>() - disc().areas[body.index()];
+            assert!(wrong.abs() < 1e-13, "area off by {wrong}");
+        }
+    }
+    let reference = disc().reference(Family::Structured, &cells, 16).unwrap();
+    assert_eq!(reference.levels().len(), 5);
 }
 
 /// Corners, ends of parts and block corners stay; every other node moves, boundary nodes along their part.

@@ -1,4 +1,4 @@
-//! A coarse mesh and its red refinements, with implicit prolongation.
+//! A coarse mesh and its red refinements, with implicit prolongation; on curved bodies also meshes mapped anew.
 //!
 //! ```text
 //!            2              Every side is halved. Triangle t has the children 4t … 4t+3: child i keeps
@@ -16,6 +16,7 @@
 //! sides 0, 1, 2 meet them.
 
 mod interiors;
+mod onto;
 mod template;
 
 use super::sides::{Sides, side_nodes};
@@ -77,13 +78,17 @@ impl Hierarchy {
     /// Adds a level: every triangle in four, every boundary and contact side in two, new nodes of curved sides on their curves.
     /// Linear time.
     pub fn refine(&mut self) {
+        let (fine, parents) = self.refined();
+        self.levels.push(fine);
+        self.parents.push(parents);
+    }
+
+    /// The next level and the parents of its new nodes.
+    fn refined(&mut self) -> (Mesh, Vec<[u32; 2]>) {
         if self.levels.len() == 1 {
             self.macro_sides = MacroSides::new(&self.levels[0]);
         }
-        let refiner = Refiner::new(self);
-        let (fine, parents) = refiner.refine();
-        self.levels.push(fine);
-        self.parents.push(parents);
+        Refiner::new(self).refine()
     }
 
     /// The nodal values on level `to` of the piecewise linear field with the values `nodal` on level `from ≤ to`.

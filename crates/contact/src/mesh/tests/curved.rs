@@ -14,7 +14,7 @@ fn quarter_circle() -> SharedCurve {
 }
 
 /// `{x, y > 0, x + y > 1/2, r < 1}` inside, `(0, 2)²` minus the disc outside.
-fn disc(n: usize) -> Mesh {
+pub(super) fn disc(n: usize) -> Mesh {
     let arc = quarter_circle();
     let c = 0.5f64.sqrt();
     let block = |corners: [[f64; 2]; 4], cells, side: usize| {
@@ -42,7 +42,7 @@ fn graph(a: f64, b: f64, from: f64) -> SharedCurve {
 }
 
 /// `x = y²/4 + y/20` on the right, `x = −3y²/20 + y/20` on the left, `|y| < 1`.
-fn gap(n: usize) -> Mesh {
+pub(super) fn gap(n: usize) -> Mesh {
     let (right, left) = (graph(0.25, 0.05, 1.0), graph(-0.15, 0.05, -1.0));
     let corner = |c: &SharedCurve, s: f64| [c.point(s).x, c.point(s).y];
     let [a, b] = [corner(&right, 1.0), corner(&right, 0.0)];

@@ -14,6 +14,7 @@ mod curved;
 mod hierarchy;
 mod interiors;
 mod locate;
+mod onto;
 mod quality;
 mod refusals;
 
