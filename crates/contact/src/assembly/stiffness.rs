@@ -91,9 +91,9 @@ impl Assembly<'_> {
         &self.columns[self.row_start[slot] as usize..self.row_start[slot + 1] as usize]
     }
 
-    /// Only plain rows repeat; a row with a fixed component is still to be changed.
+    /// Only rows of plain nodes among plain nodes repeat; others may still be changed.
     fn is_shared(&self, slot: usize) -> bool {
-        self.rows.basis.is_plain(slot)
+        std::iter::once(&(slot as u32)).chain(self.columns_of(slot)).all(|&j| self.rows.basis.is_plain(j as usize))
     }
 
     /// Computes a row; its diagonal entry where the component is not fixed, where it is zero.
@@ -101,7 +101,7 @@ impl Assembly<'_> {
         let columns = self.columns_of(slot);
         row.clear();
         row.resize(columns.len(), [0.0; 4]);
-        if std::iter::once(&(slot as u32)).chain(columns).all(|&j| self.rows.basis.is_plain(j as usize)) {
+        if self.is_shared(slot) {
             self.gather_plain(slot, columns, row);
         } else {
             self.gather(slot, columns, row);

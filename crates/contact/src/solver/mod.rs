@@ -85,7 +85,7 @@ impl<'a> Prepared<'a> {
         let mut answer = match self.0 {
             Preparation::Condensed(condensed) => condensed.solve(settings),
             Preparation::InteriorPoint(qp) => interior_point::solve(qp, settings),
-            Preparation::Multigrid(qp, levels) => multigrid::solve(qp, &levels, settings),
+            Preparation::Multigrid(qp, levels) => multigrid::solve(qp, levels, settings),
         };
         answer.method = method;
         let mut entries = answer.x.iter().chain(&answer.multipliers);

@@ -8,7 +8,8 @@ use crate::sparse::BlockMatrix;
 /// The factor for one set of frozen components.
 #[derive(Default)]
 pub struct Coarsest {
-    frozen: Vec<bool>,
+    /// Whether there is one.
+    factored: bool,
     /// Nothing where the matrix is not positive definite on the free components: then there is no correction.
     factor: Option<Cholesky>,
     factorizations: usize,
@@ -25,7 +26,7 @@ impl Coarsest {
         motions: &[Vec<f64>],
         x: &mut [f64],
     ) {
-        if self.factorizations == 0 || self.frozen != frozen {
+        if !self.factored {
             self.factor(matrix, bounds, frozen, motions);
         }
         match &self.factor {
@@ -34,13 +35,18 @@ impl Coarsest {
         }
     }
 
+    /// The matrix or the frozen components are about to change.
+    pub fn forget(&mut self) {
+        self.factored = false;
+    }
+
     /// How often a factor was computed.
     pub fn factorizations(&self) -> usize {
         self.factorizations
     }
 
     fn factor(&mut self, matrix: &BlockMatrix, bounds: &[Bound], frozen: &[bool], motions: &[Vec<f64>]) {
-        self.frozen = frozen.to_vec();
+        self.factored = true;
         self.factorizations += 1;
         let held = frozen_dofs(bounds, frozen);
         let mut removed = vec![false; matrix.dimension()];

@@ -5,64 +5,113 @@ use super::coarsest::{Coarsest, frozen_dofs};
 use super::order::Order;
 use super::sweep::{Direction, Limits, Sweep};
 use super::transfer::Transfer;
+use super::truncate::Undo;
 use super::{Levels, motion, vector};
 use crate::qp::{Bound, BoundQp};
 use crate::sparse::BlockMatrix;
+use std::borrow::Cow;
+use std::cell::{Ref, RefCell};
 
 /// Sweeps before and after each coarse correction, at most.
 const MOST_SWEEPS: usize = 2;
 
 /// One level with everything a sweep needs.
 pub struct Grid<'a> {
-    pub matrix: &'a BlockMatrix,
-    pub bounds: &'a [Bound],
-    pub blocks: Vec<Block>,
-    pub order: Order,
+    /// A coarse level's changes with the active set.
+    matrix: RefCell<Cow<'a, BlockMatrix>>,
+    pub bounds: Cow<'a, [Bound]>,
+    blocks: Vec<Block>,
+    order: Order,
     /// From the next coarser level; none on the coarsest.
-    pub transfer: Option<&'a Transfer<'a>>,
+    pub transfer: Option<Transfer<'a>>,
 }
 
 impl<'a> Grid<'a> {
     fn new(
-        matrix: &'a BlockMatrix,
-        bounds: &'a [Bound],
+        matrix: Cow<'a, BlockMatrix>,
+        bounds: Cow<'a, [Bound]>,
         pairs: &[[u32; 2]],
-        order: &Order,
-        transfer: Option<&'a Transfer<'a>>,
+        order: Order,
+        transfer: Option<Transfer<'a>>,
     ) -> Self {
-        let blocks = block::blocks(pairs, bounds);
+        let blocks = block::blocks(pairs, &bounds);
         let apart = blocks.iter().flat_map(|b| b.slots).filter(|&s| s != block::NONE).collect();
-        Self { matrix, bounds, order: order.clone().without(apart), blocks, transfer }
+        Self { matrix: RefCell::new(matrix), bounds, order: order.without(apart), blocks, transfer }
     }
 
     /// All levels, coarsest first.
-    pub fn all(qp: &'a BoundQp, levels: &'a Levels<'a>) -> Vec<Self> {
-        let below = |k: usize| (k > 0).then(|| &levels.coarse[k - 1].transfer);
-        let coarse = levels.coarse.iter().enumerate();
-        let mut grids: Vec<Self> =
-            coarse.map(|(k, l)| Self::new(&l.matrix, &l.bounds, &l.pairs, &l.order, below(k))).collect();
-        grids.push(Self::new(&qp.matrix, &qp.bounds, &levels.pairs, &levels.order, below(levels.coarse.len())));
+    pub fn all(qp: &'a BoundQp, levels: Levels<'a>) -> Vec<Self> {
+        let mut grids = Vec::with_capacity(levels.coarse.len() + 1);
+        let mut below = None;
+        for level in levels.coarse {
+            let (matrix, bounds) = (Cow::Owned(level.matrix), Cow::Owned(level.bounds));
+            grids.push(Self::new(matrix, bounds, &level.pairs, level.order, below.replace(level.transfer)));
+        }
+        let (matrix, bounds) = (Cow::Borrowed(&qp.matrix), Cow::Borrowed(&qp.bounds[..]));
+        grids.push(Self::new(matrix, bounds, &levels.pairs, levels.order, below));
         grids
     }
 
-    pub fn dimension(&self) -> usize {
-        self.matrix.dimension()
+    /// The matrix as it is now.
+    pub fn matrix(&self) -> Ref<'_, Cow<'a, BlockMatrix>> {
+        self.matrix.borrow()
     }
 
-    pub fn sweep(&self) -> Sweep<'_> {
-        Sweep { matrix: self.matrix, blocks: &self.blocks, order: &self.order }
+    pub fn dimension(&self) -> usize {
+        self.matrix().dimension()
+    }
+
+    /// Relaxes every slot once.
+    pub fn sweep(&self, direction: Direction, limits: Limits, load: &[f64], x: &mut [f64]) {
+        let matrix = self.matrix();
+        Sweep { matrix: &matrix, blocks: &self.blocks, order: &self.order }.run(direction, limits, load, x);
     }
 
     /// `r = f − Kx`.
     pub fn residual(&self, load: &[f64], x: &[f64], r: &mut [f64]) {
-        self.matrix.apply(x, r);
+        self.matrix().apply(x, r);
         vector::subtract_from(r, load);
     }
 
     /// Entries of the matrix: what a product costs.
     pub fn entries(&self) -> usize {
-        self.matrix.entries()
+        self.matrix().entries()
     }
+}
+
+/// What is left of the function of a bounded component.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum State {
+    /// All of it.
+    Whole,
+    /// A part, on the components that are not frozen.
+    Cut,
+    /// Nothing.
+    Frozen,
+}
+
+fn find(bounds: &[Bound], dof: u32) -> Option<usize> {
+    bounds.binary_search_by_key(&dof, |b| b.dof).ok()
+}
+
+/// The states of a level's bounded components from those of the next finer level's.
+fn below(coarse: &[Bound], fine: &[Bound], transfer: &Transfer, above: &[State]) -> Vec<State> {
+    let mut left = vec![[false; 2]; coarse.len()];
+    for (bound, state) in fine.iter().zip(above) {
+        for origin in transfer.origins(bound.dof) {
+            if let Some(b) = find(coarse, origin) {
+                // whether anything is left, whether anything is missing
+                left[b][0] |= *state != State::Frozen;
+                left[b][1] |= *state != State::Whole;
+            }
+        }
+    }
+    let state = |[left, missing]: &[bool; 2]| match (left, missing) {
+        (_, false) => State::Whole,
+        (true, true) => State::Cut,
+        (false, true) => State::Frozen,
+    };
+    left.iter().map(state).collect()
 }
 
 /// Workspace of a coarse level.
@@ -72,6 +121,8 @@ struct Room {
     load: Vec<f64>,
     rest: Vec<f64>,
     frozen: Vec<bool>,
+    /// How to bring back the matrix of whole functions.
+    undo: Undo,
 }
 
 /// The V-cycle over all levels below a fine one.
@@ -79,6 +130,8 @@ pub struct Cycle<'a> {
     grids: &'a [Grid<'a>],
     motions: &'a [Vec<f64>],
     rooms: Vec<Room>,
+    /// The level and the active set that the coarse levels stand for.
+    face: Option<(usize, Vec<bool>)>,
     coarsest: Coarsest,
     /// Sweeps before and after each coarse correction.
     sweeps: usize,
@@ -90,10 +143,10 @@ impl<'a> Cycle<'a> {
     pub fn new(grids: &'a [Grid<'a>], motions: &'a [Vec<f64>]) -> Self {
         let room = |g: &Grid| {
             let zeros = || vec![0.0; g.dimension()];
-            Room { x: zeros(), load: zeros(), rest: zeros(), frozen: vec![false; g.bounds.len()] }
+            Room { x: zeros(), load: zeros(), rest: zeros(), frozen: vec![false; g.bounds.len()], undo: Undo::default() }
         };
         let rooms = grids[..grids.len() - 1].iter().map(room).collect();
-        Self { grids, motions, rooms, coarsest: Coarsest::default(), sweeps: 1, visited: 0 }
+        Self { grids, motions, rooms, face: None, coarsest: Coarsest::default(), sweeps: 1, visited: 0 }
     }
 
     /// The correction on grid `fine` for the residual `rest` there, with the components held that [`freeze`](Self::freeze) was
@@ -115,14 +168,14 @@ impl<'a> Cycle<'a> {
     /// The rigid motions that supports and frozen components leave free, on grid `fine`.
     pub fn free_motions(&self, fine: usize) -> Vec<Vec<f64>> {
         let held = match self.rooms.first() {
-            Some(room) => frozen_dofs(self.grids[0].bounds, &room.frozen),
+            Some(room) => frozen_dofs(&self.grids[0].bounds, &room.frozen),
             None => Vec::new(),
         };
         let mut motions = motion::free(self.motions, &held);
         for grid in &self.grids[1..=fine] {
             for motion in &mut motions {
                 let mut finer = vec![0.0; grid.dimension()];
-                if let Some(transfer) = grid.transfer {
+                if let Some(transfer) = &grid.transfer {
                     transfer.prolong(motion, &mut finer);
                 }
                 *motion = finer;
@@ -136,34 +189,40 @@ impl<'a> Cycle<'a> {
         self.coarsest.factorizations()
     }
 
-    /// Passes the frozen components down: a coarse bound is frozen where a frozen fine component depends on it.
+    /// Passes the frozen components down. A coarse function that keeps nothing is frozen as well; one that keeps a part is cut short,
+    /// and the coarse matrix with it.
     pub fn freeze(&mut self, fine: usize, frozen: &[bool]) {
-        let mut above = frozen.to_vec();
+        if self.face.as_ref().is_some_and(|(level, face)| *level == fine && face == frozen) {
+            return;
+        }
+        self.face = Some((fine, frozen.to_vec()));
+        self.coarsest.forget();
+        for (room, grid) in self.rooms.iter_mut().zip(self.grids) {
+            room.undo.restore(grid.matrix.borrow_mut().to_mut());
+        }
+        let mut above: Vec<State> = frozen.iter().map(|f| if *f { State::Frozen } else { State::Whole }).collect();
         for k in (0..fine).rev() {
-            let (coarse, grid) = (&self.grids[k], &self.grids[k + 1]);
-            let mut below = vec![false; coarse.bounds.len()];
-            if let Some(transfer) = grid.transfer {
-                for dof in frozen_dofs(grid.bounds, &above) {
-                    for origin in transfer.origins(dof as u32) {
-                        if let Ok(found) = coarse.bounds.binary_search_by_key(&origin, |b| b.dof) {
-                            below[found] = true;
-                        }
-                    }
-                }
+            let grid = &self.grids[k + 1];
+            let Some(transfer) = &grid.transfer else { return };
+            let states = below(&self.grids[k].bounds, &grid.bounds, transfer, &above);
+            let is_frozen = |dof: u32| find(&grid.bounds, dof).is_some_and(|b| above[b] == State::Frozen);
+            let (mut coarse, matrix) = (self.grids[k].matrix.borrow_mut(), grid.matrix());
+            for (bound, _) in self.grids[k].bounds.iter().zip(&states).filter(|(_, s)| **s == State::Cut) {
+                self.rooms[k].undo.cut_short(coarse.to_mut(), &matrix, transfer, &is_frozen, bound.dof);
             }
-            self.rooms[k].frozen.clone_from(&below);
-            above = below;
+            self.rooms[k].frozen = states.iter().map(|s| *s == State::Frozen).collect();
+            above = states;
         }
     }
 
     /// `rest = P (cycle on the next coarser level) Pᵀ rest`, without the frozen components.
     fn from_below(&mut self, fine: usize, frozen: &[bool], rest: &mut [f64]) {
         let grid = &self.grids[fine];
-        let Some(transfer) = grid.transfer else { return };
-        let held = frozen_dofs(grid.bounds, frozen);
+        let Some(transfer) = &grid.transfer else { return };
+        let held = frozen_dofs(&grid.bounds, frozen);
         held.iter().for_each(|&i| rest[i] = 0.0);
         let mut room = std::mem::take(&mut self.rooms[fine - 1]);
-        transfer.restrict(grid.matrix, rest, &mut room.load);
+        transfer.restrict(&grid.matrix(), rest, &mut room.load);
         self.cycle(fine - 1, &mut room);
         transfer.prolong(&room.x, rest);
         held.iter().for_each(|&i| rest[i] = 0.0);
@@ -173,20 +232,20 @@ impl<'a> Cycle<'a> {
     /// `x ≈ K⁻¹ f` on the face.
     fn cycle(&mut self, k: usize, room: &mut Room) {
         let grid = &self.grids[k];
-        let Room { x, load, rest, frozen } = room;
-        frozen_dofs(grid.bounds, frozen).into_iter().for_each(|i| load[i] = 0.0);
+        let Room { x, load, rest, frozen, .. } = room;
+        frozen_dofs(&grid.bounds, frozen).into_iter().for_each(|i| load[i] = 0.0);
         if k == 0 {
             x.copy_from_slice(load);
-            self.coarsest.solve(grid.matrix, grid.bounds, frozen, self.motions, x);
+            self.coarsest.solve(&grid.matrix(), &grid.bounds, frozen, self.motions, x);
             return;
         }
         x.fill(0.0);
         let limits = Limits::Frozen(frozen);
-        (0..self.sweeps).for_each(|_| grid.sweep().run(Direction::Forward, limits, load, x));
+        (0..self.sweeps).for_each(|_| grid.sweep(Direction::Forward, limits, load, x));
         grid.residual(load, x, rest);
         self.from_below(k, frozen, rest);
         vector::add(x, 1.0, rest);
-        (0..self.sweeps).for_each(|_| grid.sweep().run(Direction::Backward, limits, load, x));
+        (0..self.sweeps).for_each(|_| grid.sweep(Direction::Backward, limits, load, x));
         self.visited += (2 * self.sweeps + 1) * grid.entries();
     }
 }

@@ -73,17 +73,17 @@ impl<'a> Iteration<'a> {
 
     /// One iteration: five products' worth on this level, coarse levels included.
     pub fn advance(&mut self, cycle: &mut Cycle) -> Progress {
-        let before = active(self.grid.bounds, &self.x);
+        let before = active(&self.grid.bounds, &self.x);
         self.change.copy_from_slice(&self.x);
-        let limits = Limits::Bounds(self.grid.bounds);
-        self.grid.sweep().run(Direction::Forward, limits, self.load, &mut self.x);
+        let limits = Limits::Bounds(&self.grid.bounds);
+        self.grid.sweep(Direction::Forward, limits, self.load, &mut self.x);
         let face = self.correct(cycle);
-        self.grid.sweep().run(Direction::Backward, limits, self.load, &mut self.x);
-        let after = active(self.grid.bounds, &self.x);
+        self.grid.sweep(Direction::Backward, limits, self.load, &mut self.x);
+        let after = active(&self.grid.bounds, &self.x);
         // z = x − x_0, and x = x_0 again
         vector::add(&mut self.x, -1.0, &self.change);
         std::mem::swap(&mut self.x, &mut self.change);
-        self.grid.matrix.apply(&self.change, &mut self.change_image);
+        self.grid.matrix().apply(&self.change, &mut self.change_image);
         self.visited += 3 * self.grid.entries();
         let rested = before == face && face == after;
         let decrease = self.minimise(rested, &after);
@@ -97,16 +97,15 @@ impl<'a> Iteration<'a> {
         self.refresh();
         let presses = |b: &Bound| self.x[b.dof as usize] == b.upper && self.rest[b.dof as usize] > 0.0;
         let face: Vec<bool> = self.grid.bounds.iter().map(presses).collect();
-        frozen_dofs(self.grid.bounds, &face).into_iter().for_each(|i| self.rest[i] = 0.0);
+        frozen_dofs(&self.grid.bounds, &face).into_iter().for_each(|i| self.rest[i] = 0.0);
         cycle.freeze(self.level, &face);
         let limits = Limits::Frozen(&face);
-        let smoother = self.grid.sweep();
         self.change.fill(0.0);
-        smoother.run(Direction::Forward, limits, &self.rest, &mut self.change);
+        self.grid.sweep(Direction::Forward, limits, &self.rest, &mut self.change);
         self.grid.residual(&self.rest, &self.change, &mut self.change_image);
         cycle.correct(self.level, &face, &mut self.change_image);
         vector::add(&mut self.change, 1.0, &self.change_image);
-        smoother.run(Direction::Backward, limits, &self.rest, &mut self.change);
+        self.grid.sweep(Direction::Backward, limits, &self.rest, &mut self.change);
         self.visited += 3 * self.grid.entries();
         dot(&self.rest, &self.change).max(0.0).sqrt()
     }
@@ -115,14 +114,14 @@ impl<'a> Iteration<'a> {
     fn correct(&mut self, cycle: &mut Cycle) -> Vec<bool> {
         self.grid.residual(self.load, &self.x, &mut self.change_image);
         self.visited += self.grid.entries();
-        let mut face = active(self.grid.bounds, &self.x);
+        let mut face = active(&self.grid.bounds, &self.x);
         cycle.freeze(self.level, &face);
         if cycle.has_motions() {
             self.rest_on_contact(cycle, &mut face);
         }
         cycle.correct(self.level, &face, &mut self.change_image);
         let correction = &mut self.change_image;
-        if !clip(self.grid.bounds, &self.x, correction) {
+        if !clip(&self.grid.bounds, &self.x, correction) {
             vector::add(&mut self.x, 1.0, correction);
             return face;
         }
@@ -130,13 +129,13 @@ impl<'a> Iteration<'a> {
         self.remembers = false;
         self.grid.residual(self.load, &self.x, &mut self.step);
         let slope = dot(correction, &self.step);
-        self.grid.matrix.apply(correction, &mut self.step);
+        self.grid.matrix().apply(correction, &mut self.step);
         let curvature = dot(correction, &self.step);
         self.visited += 2 * self.grid.entries();
         let length = if slope > 0.0 { f64::min(slope / curvature, 1.0) } else { 0.0 };
         vector::add(&mut self.x, length, correction);
         if length == 1.0 {
-            land(self.grid.bounds, &mut self.x);
+            land(&self.grid.bounds, &mut self.x);
         }
         face
     }
@@ -167,9 +166,9 @@ impl<'a> Iteration<'a> {
             }
             self.remembers = false;
             vector::add(&mut self.x, length, &motion);
-            land(self.grid.bounds, &mut self.x);
+            land(&self.grid.bounds, &mut self.x);
             self.x[dof as usize] = upper;
-            *face = active(self.grid.bounds, &self.x);
+            *face = active(&self.grid.bounds, &self.x);
             cycle.freeze(self.level, face);
         }
     }
@@ -229,7 +228,7 @@ impl<'a> Iteration<'a> {
     fn take(&mut self, lengths: [f64; 2]) {
         vector::step(&mut self.step, lengths, &self.change, &mut self.x, 1.0);
         vector::step(&mut self.step_image, lengths, &self.change_image, &mut self.rest, -1.0);
-        land(self.grid.bounds, &mut self.x);
+        land(&self.grid.bounds, &mut self.x);
     }
 }
 

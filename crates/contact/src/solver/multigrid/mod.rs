@@ -11,9 +11,8 @@
 //! ```
 //!
 //! The iteration is conjugate gradients preconditioned by one V-cycle where the active set rests, and lowers the energy in every
-//! step where it does not. A coarse component is frozen if a frozen fine one depends on it: coarse corrections then
-//! move no active constraint, coarse matrices never change, and what a coarse level cannot say near the end of contact, the next
-//! finer one can.
+//! step where it does not. Coarse functions lose what they are on frozen components (*truncation*): one that keeps nothing is
+//! frozen itself; for the few at the ends of contact that keep a part, the coarse matrices are changed in place.
 //!
 //! R. Kornhuber, *Adaptive monotone multigrid methods for nonlinear variational problems* (1997); C. Gräser, R. Kornhuber,
 //! *Multigrid methods for obstacle problems* (2009).
@@ -29,6 +28,7 @@ mod sweep;
 #[cfg(test)]
 mod tests;
 mod transfer;
+mod truncate;
 mod vector;
 
 pub use order::{Order, Slots};
@@ -86,6 +86,6 @@ pub enum Accuracy {
 }
 
 /// Solves by nested iteration over the levels.
-pub(super) fn solve(qp: &BoundQp, levels: &Levels, settings: &Settings) -> QpSolution {
+pub(super) fn solve(qp: &BoundQp, levels: Levels, settings: &Settings) -> QpSolution {
     nested::solve(qp, levels, settings)
 }

@@ -23,10 +23,11 @@ const STALLS: f64 = 0.3;
 const SLOW: f64 = 0.25;
 
 /// Solves by nested iteration; the certificate of the answer is not computed here.
-pub fn solve(qp: &BoundQp, levels: &Levels, settings: &Settings) -> QpSolution {
+pub fn solve(qp: &BoundQp, mut levels: Levels, settings: &Settings) -> QpSolution {
+    let motions = std::mem::take(&mut levels.motions);
     let grids = Grid::all(qp, levels);
     let loads = loads(&grids, qp);
-    let mut run = Run { cycle: Cycle::new(&grids, &levels.motions), grids: &grids, visited: 0, history: Vec::new() };
+    let mut run = Run { cycle: Cycle::new(&grids, &motions), grids: &grids, visited: 0, history: Vec::new() };
     let Some((first, start)) = run.start(qp, &loads, settings) else {
         return QpSolution::unsolved(qp, Status::NotPositiveDefinite);
     };
@@ -38,7 +39,7 @@ pub fn solve(qp: &BoundQp, levels: &Levels, settings: &Settings) -> QpSolution {
         run.history = start.history;
     }
     for level in first + 1..=finest {
-        let below = energy.unwrap_or_else(|| crate::qp::energy_of(grids[first].matrix, load(&loads, qp, first), &x));
+        let below = energy.unwrap_or_else(|| crate::qp::energy_of(&grids[first].matrix(), load(&loads, qp, first), &x));
         let start = prolonged(&grids, level, &x);
         let aim = if level == finest { settings.accuracy } else { Accuracy::Discretisation(BELOW) };
         let most = if level == finest { MOST } else { MOST_BELOW };
@@ -139,12 +140,12 @@ impl Run<'_> {
 fn prolonged(grids: &[Grid], level: usize, coarse: &[f64]) -> Vec<f64> {
     let grid = &grids[level];
     let mut x = vec![0.0; grid.dimension()];
-    let Some(transfer) = grid.transfer else { return x };
+    let Some(transfer) = &grid.transfer else { return x };
     transfer.prolong(coarse, &mut x);
     let below = &grids[level - 1];
-    let closed = active(below.bounds, coarse);
+    let closed = active(&below.bounds, coarse);
     let is_closed = |dof: u32| below.bounds.binary_search_by_key(&dof, |b| b.dof).map(|k| closed[k]);
-    for bound in grid.bounds {
+    for bound in grid.bounds.iter() {
         let x = &mut x[bound.dof as usize];
         let mut origins = transfer.origins(bound.dof).into_iter().filter_map(|o| is_closed(o).ok()).peekable();
         let stays_closed = origins.peek().is_some() && origins.all(|closed| closed);
@@ -160,8 +161,8 @@ fn loads(grids: &[Grid], qp: &BoundQp) -> Vec<Vec<f64>> {
     for level in (0..loads.len()).rev() {
         let grid = &grids[level + 1];
         let mut coarse = vec![0.0; grids[level].dimension()];
-        if let Some(transfer) = grid.transfer {
-            transfer.restrict(grid.matrix, &mut fine, &mut coarse);
+        if let Some(transfer) = &grid.transfer {
+            transfer.restrict(&grid.matrix(), &mut fine, &mut coarse);
         }
         fine.clone_from(&coarse);
         loads[level] = coarse;
@@ -177,5 +178,5 @@ fn load<'a>(loads: &'a [Vec<f64>], qp: &'a BoundQp, level: usize) -> &'a [f64] {
 fn coarse_problem(qp: &BoundQp, grid: &Grid, load: &[f64]) -> Option<BoundQp> {
     let kernel: Vec<Vec<f64>> = qp.kernel.iter().map(|y| y[..grid.dimension()].to_vec()).collect();
     let conditions = anchors(&kernel)?.into_iter().map(|i| vec![(i as u32, 1.0)]).collect();
-    Some(BoundQp { matrix: grid.matrix.clone(), load: load.to_vec(), bounds: grid.bounds.to_vec(), kernel, conditions })
+    Some(BoundQp { matrix: grid.matrix().clone().into_owned(), load: load.to_vec(), bounds: grid.bounds.to_vec(), kernel, conditions })
 }
