@@ -245,7 +245,7 @@ pub fn second(raw: Option<&RawSolver>) -> Result<Option<Method>, Fault> {
     let other = method(*second.get_ref());
     if other == first {
         let message = format!("`second` is {} like the first solver: it would agree with itself", other.name());
-        return refuse(second.span(), message, "choose another: condensed, monotone or interior-point");
+        return refuse(second.span(), message, "choose another: condensed, multigrid, monotone or interior-point");
     }
     Ok(Some(other))
 }

@@ -12,8 +12,8 @@ use crate::sparse::BlockMatrix;
 use std::borrow::Cow;
 use std::cell::{Ref, RefCell};
 
-/// Sweeps before and after each coarse correction, at most.
-const MOST_SWEEPS: usize = 2;
+/// Coarse corrections on each level, and sweeps before and after them, at most.
+const MOST_REPEATS: usize = 2;
 
 /// One level with everything a sweep needs.
 pub struct Grid<'a> {
@@ -125,7 +125,7 @@ struct Room {
     undo: Undo,
 }
 
-/// The V-cycle over all levels below a fine one.
+/// The cycle over all levels below a fine one: a V-cycle, or a W-cycle where that is too little.
 pub struct Cycle<'a> {
     grids: &'a [Grid<'a>],
     motions: &'a [Vec<f64>],
@@ -133,8 +133,8 @@ pub struct Cycle<'a> {
     /// The level and the active set that the coarse levels stand for.
     face: Option<(usize, Vec<bool>)>,
     coarsest: Coarsest,
-    /// Sweeps before and after each coarse correction.
-    sweeps: usize,
+    /// Coarse corrections on each level, and sweeps before and after them.
+    repeats: usize,
     /// Matrix entries visited on the coarse levels so far.
     pub visited: usize,
 }
@@ -146,7 +146,7 @@ impl<'a> Cycle<'a> {
             Room { x: zeros(), load: zeros(), rest: zeros(), frozen: vec![false; g.bounds.len()], undo: Undo::default() }
         };
         let rooms = grids[..grids.len() - 1].iter().map(room).collect();
-        Self { grids, motions, rooms, face: None, coarsest: Coarsest::default(), sweeps: 1, visited: 0 }
+        Self { grids, motions, rooms, face: None, coarsest: Coarsest::default(), repeats: 1, visited: 0 }
     }
 
     /// The correction on grid `fine` for the residual `rest` there, with the components held that [`freeze`](Self::freeze) was
@@ -155,9 +155,9 @@ impl<'a> Cycle<'a> {
         self.from_below(fine, frozen, rest);
     }
 
-    /// Where one sweep on each side is too little, as near incompressibility.
-    pub fn sweep_more(&mut self) {
-        self.sweeps = MOST_SWEEPS;
+    /// Where a V-cycle with one sweep on each side is too little, as near incompressibility: from now on a W-cycle with two.
+    pub fn work_harder(&mut self) {
+        self.repeats = MOST_REPEATS;
     }
 
     /// Whether the supports leave any rigid motion free.
@@ -241,11 +241,14 @@ impl<'a> Cycle<'a> {
         }
         x.fill(0.0);
         let limits = Limits::Frozen(frozen);
-        (0..self.sweeps).for_each(|_| grid.sweep(Direction::Forward, limits, load, x));
-        grid.residual(load, x, rest);
-        self.from_below(k, frozen, rest);
-        vector::add(x, 1.0, rest);
-        (0..self.sweeps).for_each(|_| grid.sweep(Direction::Backward, limits, load, x));
-        self.visited += (2 * self.sweeps + 1) * grid.entries();
+        (0..self.repeats).for_each(|_| grid.sweep(Direction::Forward, limits, load, x));
+        for _ in 0..self.repeats {
+            grid.residual(load, x, rest);
+            self.visited += grid.entries();
+            self.from_below(k, frozen, rest);
+            vector::add(x, 1.0, rest);
+        }
+        (0..self.repeats).for_each(|_| grid.sweep(Direction::Backward, limits, load, x));
+        self.visited += 2 * self.repeats * grid.entries();
     }
 }

@@ -19,7 +19,7 @@ const FLOOR: f64 = 1e-25;
 /// Below this share it is rounding if it does not fall quickly any more.
 const NEAR_FLOOR: f64 = 1e-20;
 const STALLS: f64 = 0.3;
-/// Where the energy falls by less than this factor from step to step, coarse levels are swept twice as often.
+/// Where the energy falls by less than this factor from step to step, coarse levels are visited and swept twice as often.
 const SLOW: f64 = 0.25;
 
 /// Solves by nested iteration; the certificate of the answer is not computed here.
@@ -125,7 +125,7 @@ impl Run<'_> {
                 }
             }
             if ratio > SLOW && last.is_finite() {
-                self.cycle.sweep_more();
+                self.cycle.work_harder();
             }
             (last, last_ratio) = (decrease, ratio);
             if count % REFRESH == 0 {

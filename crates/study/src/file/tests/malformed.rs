@@ -56,7 +56,7 @@ type Row = (&'static str, &'static str, &'static str, &'static str);
 const TABLE: &[Row] = &[
     // second opinions, initial gaps
     ("[levels]", "[solver]\nsecond = \"condensed\"\n\n[levels]", "\"condensed\"", "would agree with itself"),
-    ("[levels]", "[solver]\nsecond = \"multigrid\"\n\n[levels]", "\"multigrid\"", "unknown variant"),
+    ("[levels]", "[solver]\nsecond = \"simplex\"\n\n[levels]", "\"multigrid\"", "unknown variant"),
     ("[contact]\n", "[contact]\ninitial_gap = \"z\"\n", "z\"\nalong", "expression `z`"),
     // TOML itself
     ("id = \"small\"", "id = small\"", "small", "missing opening quote"),
@@ -133,6 +133,7 @@ const TABLE: &[Row] = &[
     ("name = \"refined\"", "name = \"structured\"", "1, amount", "says nothing about this family"),
     ("[levels]", "[reference]\nkind = \"exact\"\n[levels]", "[reference]", "the scene has no exact solution"),
     ("[levels]", "[solver]\ntolerance = 0\n[levels]", "0\n[levels]", "tolerance = 0 must lie between 0 and 1"),
+    ("[levels]", "[solver]\naccuracy = 1.0\n[levels]", "1.0\n[levels]", "is no share of the discretisation error"),
     ("[levels]", "[gates]\nfall = 0.8\n[levels]", "[gates]", "gives no `reason`"),
     ("[levels]", "[gates]\nspread = 0.8\nreason = \"r\"\n[levels]", "0.8", "spread = 0.8 must exceed 1"),
     ("[levels]", "[gates]\nfixed_quadrature = true\nreason = \"r\"\n[levels]", "true", "is a planted defect"),

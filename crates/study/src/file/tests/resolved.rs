@@ -4,7 +4,7 @@ use super::malformed::GOOD;
 use crate::family::Family;
 use crate::study::{PartCondition, ReferencePlan, Study};
 use signorini_contact::Point;
-use signorini_contact::solver::Settings;
+use signorini_contact::solver::{Method, Settings};
 use std::path::Path;
 
 fn parse(text: &str) -> Study {
@@ -15,7 +15,8 @@ fn parse(text: &str) -> Study {
 fn defaults_are_the_documented_ones() {
     let study = parse(&GOOD.replacen("[levels]\nquick = [8, 16, 32, 64]\n", "", 1));
     let c = &study.cases[0];
-    assert_eq!((c.family, &c.solver), (Family::Structured, &Settings::default()));
+    let solver = Settings { method: Method::Automatic, ..Settings::default() };
+    assert_eq!((c.family, c.solver), (Family::Structured, solver));
     assert_eq!(c.reference, ReferencePlan::Overkill { quick: 256, full: 1024 });
     assert_eq!((c.quick.as_slice(), c.full.as_slice()), (&[8, 16, 32, 64][..], &[8, 16, 32, 64, 128][..]));
     assert_eq!(study.claim.id, "theorem-3-1");
