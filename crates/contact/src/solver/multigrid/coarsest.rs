@@ -16,18 +16,10 @@ pub struct Coarsest {
 }
 
 impl Coarsest {
-    /// `x = K⁻¹ f` with the frozen components, and one component for each motion that they leave free, held at zero. `motions`
-    /// are the rigid motions that the supports leave free.
-    pub fn solve(
-        &mut self,
-        matrix: &BlockMatrix,
-        bounds: &[Bound],
-        frozen: &[bool],
-        motions: &[Vec<f64>],
-        x: &mut [f64],
-    ) {
+    /// `x = K⁻¹ f` with the frozen components, and one component for each free motion, held at zero.
+    pub fn solve(&mut self, matrix: &BlockMatrix, bounds: &[Bound], frozen: &[bool], free: &[Vec<f64>], x: &mut [f64]) {
         if !self.factored {
-            self.factor(matrix, bounds, frozen, motions);
+            self.factor(matrix, bounds, frozen, free);
         }
         match &self.factor {
             Some(factor) => factor.solve(x),
@@ -45,14 +37,12 @@ impl Coarsest {
         self.factorizations
     }
 
-    fn factor(&mut self, matrix: &BlockMatrix, bounds: &[Bound], frozen: &[bool], motions: &[Vec<f64>]) {
+    fn factor(&mut self, matrix: &BlockMatrix, bounds: &[Bound], frozen: &[bool], free: &[Vec<f64>]) {
         self.factored = true;
         self.factorizations += 1;
-        let held = frozen_dofs(bounds, frozen);
         let mut removed = vec![false; matrix.dimension()];
-        held.iter().for_each(|&i| removed[i] = true);
-        let free = super::motion::free(motions, &held);
-        if let Some(anchors) = anchors(&free) {
+        frozen_dofs(bounds, frozen).into_iter().for_each(|i| removed[i] = true);
+        if let Some(anchors) = anchors(free) {
             anchors.into_iter().for_each(|i| removed[i] = true);
         }
         self.factor = Cholesky::new(matrix, &removed, &[], &[]).ok();

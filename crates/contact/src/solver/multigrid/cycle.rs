@@ -130,6 +130,8 @@ pub struct Cycle<'a> {
     grids: &'a [Grid<'a>],
     motions: &'a [Vec<f64>],
     rooms: Vec<Room>,
+    /// Those of the motions that the frozen components leave free, on the coarsest level.
+    free: Vec<Vec<f64>>,
     /// The level and the active set that the coarse levels stand for.
     face: Option<(usize, Vec<bool>)>,
     coarsest: Coarsest,
@@ -143,10 +145,25 @@ impl<'a> Cycle<'a> {
     pub fn new(grids: &'a [Grid<'a>], motions: &'a [Vec<f64>]) -> Self {
         let room = |g: &Grid| {
             let zeros = || vec![0.0; g.dimension()];
-            Room { x: zeros(), load: zeros(), rest: zeros(), frozen: vec![false; g.bounds.len()], undo: Undo::default() }
+            Room {
+                x: zeros(),
+                load: zeros(),
+                rest: zeros(),
+                frozen: vec![false; g.bounds.len()],
+                undo: Undo::default(),
+            }
         };
         let rooms = grids[..grids.len() - 1].iter().map(room).collect();
-        Self { grids, motions, rooms, face: None, coarsest: Coarsest::default(), repeats: 1, visited: 0 }
+        Self {
+            grids,
+            motions,
+            rooms,
+            free: Vec::new(),
+            face: None,
+            coarsest: Coarsest::default(),
+            repeats: 1,
+            visited: 0,
+        }
     }
 
     /// The correction on grid `fine` for the residual `rest` there, with the components held that [`freeze`](Self::freeze) was
@@ -167,11 +184,7 @@ impl<'a> Cycle<'a> {
 
     /// The rigid motions that supports and frozen components leave free, on grid `fine`.
     pub fn free_motions(&self, fine: usize) -> Vec<Vec<f64>> {
-        let held = match self.rooms.first() {
-            Some(room) => frozen_dofs(&self.grids[0].bounds, &room.frozen),
-            None => Vec::new(),
-        };
-        let mut motions = motion::free(self.motions, &held);
+        let mut motions = self.free.clone();
         for grid in &self.grids[1..=fine] {
             for motion in &mut motions {
                 let mut finer = vec![0.0; grid.dimension()];
@@ -182,6 +195,12 @@ impl<'a> Cycle<'a> {
             }
         }
         motions
+    }
+
+    /// The frozen bounds of a coarse level.
+    #[cfg(test)]
+    pub fn frozen(&self, level: usize) -> &[bool] {
+        &self.rooms[level].frozen
     }
 
     /// Factorisations on the coarsest level.
@@ -213,6 +232,20 @@ impl<'a> Cycle<'a> {
             self.rooms[k].frozen = states.iter().map(|s| *s == State::Frozen).collect();
             above = states;
         }
+        if self.has_motions() {
+            self.free = self.motions_left(fine, frozen);
+        }
+    }
+
+    /// The motions on which every frozen component of grid `fine` vanishes. A cut function holds a body as well, so the coarsest level's
+    /// own frozen components would not tell.
+    fn motions_left(&self, fine: usize, frozen: &[bool]) -> Vec<Vec<f64>> {
+        let held = frozen_dofs(&self.grids[fine].bounds, frozen);
+        let mut rows: Vec<motion::Row> = held.into_iter().map(|i| [(i as u32, 1.0)].into()).collect();
+        for transfer in self.grids[1..=fine].iter().rev().filter_map(|g| g.transfer.as_ref()) {
+            rows = rows.iter().map(|row| transfer.pull_back(row)).collect();
+        }
+        motion::free(self.motions, &rows)
     }
 
     /// `rest = P (cycle on the next coarser level) Pᵀ rest`, without the frozen components.
@@ -236,7 +269,7 @@ impl<'a> Cycle<'a> {
         frozen_dofs(&grid.bounds, frozen).into_iter().for_each(|i| load[i] = 0.0);
         if k == 0 {
             x.copy_from_slice(load);
-            self.coarsest.solve(&grid.matrix(), &grid.bounds, frozen, self.motions, x);
+            self.coarsest.solve(&grid.matrix(), &grid.bounds, frozen, &self.free, x);
             return;
         }
         x.fill(0.0);

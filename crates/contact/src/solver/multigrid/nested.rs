@@ -27,14 +27,20 @@ pub fn solve(qp: &BoundQp, mut levels: Levels, settings: &Settings) -> QpSolutio
     let motions = std::mem::take(&mut levels.motions);
     let grids = Grid::all(qp, levels);
     let loads = loads(&grids, qp);
-    let mut run = Run { cycle: Cycle::new(&grids, &motions), grids: &grids, visited: 0, history: Vec::new() };
+    let mut run = Run {
+        cycle: Cycle::new(&grids, &motions),
+        grids: &grids,
+        visited: 0,
+        work: 0,
+        distance: None,
+        history: Vec::new(),
+    };
     let Some((first, start)) = run.start(qp, &loads, settings) else {
         return QpSolution::unsolved(qp, Status::NotPositiveDefinite);
     };
     let finest = grids.len() - 1;
     let (mut x, mut energy) = (start.x, None);
     let mut ended = Some(start.iterations);
-    let (mut work, mut distance) = (0.0, None);
     if first == finest {
         run.history = start.history;
     }
@@ -46,11 +52,10 @@ pub fn solve(qp: &BoundQp, mut levels: Levels, settings: &Settings) -> QpSolutio
         let mut iteration = Iteration::new(&grids[level], level, load(&loads, qp, level), start);
         ended = run.iterate(&mut iteration, below, aim, most, level == finest);
         energy = Some(iteration.energy());
-        run.visited += iteration.visited;
-        if level == finest {
-            work = (run.visited + run.cycle.visited) as f64 / grids[finest].entries() as f64;
-            distance = Some(iteration.distance(&mut run.cycle));
+        if level == finest && (ended.is_none() || run.distance.is_none()) {
+            run.is_close(&mut iteration, true, 0.0);
         }
+        run.visited += iteration.visited;
         x = iteration.x;
     }
     let mut answer = QpSolution::unsolved(qp, Status::IterationLimit { steps: MOST });
@@ -60,9 +65,9 @@ pub fn solve(qp: &BoundQp, mut levels: Levels, settings: &Settings) -> QpSolutio
         answer.status = Status::Converged { steps };
     }
     answer.factorizations = 1 + run.cycle.factorizations();
-    answer.work = work;
+    answer.work = run.work as f64 / grids[finest].entries() as f64;
     answer.history = run.history;
-    answer.distance = distance;
+    answer.distance = run.distance;
     let on_bound = active(&qp.bounds, &answer.x);
     condensed::finish(qp, &on_bound, &mut answer);
     answer
@@ -72,6 +77,9 @@ struct Run<'a> {
     grids: &'a [Grid<'a>],
     cycle: Cycle<'a>,
     visited: usize,
+    /// Matrix entries visited until the answer was there; what confirms it is not counted.
+    work: usize,
+    distance: Option<f64>,
     history: Vec<usize>,
 }
 
@@ -100,12 +108,12 @@ impl Run<'_> {
         below: f64,
         aim: Accuracy,
         most: usize,
-        keep_history: bool,
+        is_finest: bool,
     ) -> Option<usize> {
         let (mut last, mut last_ratio) = (f64::INFINITY, 0.0);
         for count in 1..=most {
             let progress = iteration.advance(&mut self.cycle);
-            if keep_history {
+            if is_finest {
                 self.history.push(progress.active);
             }
             let decrease = progress.decrease;
@@ -120,7 +128,8 @@ impl Run<'_> {
                 // with a decrease that shrinks like ρ, ρ/(1 − ρ) of the last one is still to come
                 let slower = f64::max(ratio, last_ratio);
                 let rest = if slower < 1.0 { decrease * slower / (1.0 - slower) } else { f64::INFINITY };
-                if rest <= share * share * error {
+                let enough = share * share * error;
+                if rest <= enough && self.is_close(iteration, is_finest, enough) {
                     return Some(count);
                 }
             }
@@ -133,6 +142,23 @@ impl Run<'_> {
             }
         }
         None
+    }
+}
+
+impl Run<'_> {
+    /// Whether one more cycle on the residual confirms what the decreases say; asked on the finest level only.
+    fn is_close(&mut self, iteration: &mut Iteration, is_finest: bool, enough: f64) -> bool {
+        if !is_finest {
+            return true;
+        }
+        self.work = self.visited + iteration.visited + self.cycle.visited;
+        let distance = iteration.distance(&mut self.cycle);
+        self.distance = Some(distance);
+        let is_close = 0.5 * distance * distance <= enough;
+        if !is_close {
+            iteration.refresh();
+        }
+        is_close
     }
 }
 
@@ -178,5 +204,11 @@ fn load<'a>(loads: &'a [Vec<f64>], qp: &'a BoundQp, level: usize) -> &'a [f64] {
 fn coarse_problem(qp: &BoundQp, grid: &Grid, load: &[f64]) -> Option<BoundQp> {
     let kernel: Vec<Vec<f64>> = qp.kernel.iter().map(|y| y[..grid.dimension()].to_vec()).collect();
     let conditions = anchors(&kernel)?.into_iter().map(|i| vec![(i as u32, 1.0)]).collect();
-    Some(BoundQp { matrix: grid.matrix().clone().into_owned(), load: load.to_vec(), bounds: grid.bounds.to_vec(), kernel, conditions })
+    Some(BoundQp {
+        matrix: grid.matrix().clone().into_owned(),
+        load: load.to_vec(),
+        bounds: grid.bounds.to_vec(),
+        kernel,
+        conditions,
+    })
 }

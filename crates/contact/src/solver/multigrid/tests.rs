@@ -78,6 +78,51 @@ fn coarse_matrices_are_those_of_galerkin() {
     });
 }
 
+/// Cut short or frozen, coarse functions keep the matrix of Galerkin, level by level, whatever is frozen.
+#[test]
+fn truncated_matrices_are_those_of_galerkin() {
+    for pattern in 0..6_usize {
+        with_levels(3, |_, discrete, levels| {
+            let motions = levels.motions.clone();
+            let grids = Grid::all(&discrete.qp, levels);
+            let mut cycle = Cycle::new(&grids, &motions);
+            let finest = grids.len() - 1;
+            // runs of closed pairs of every length, single ones among them
+            let mut frozen: Vec<bool> =
+                (0..discrete.qp.bounds.len()).map(|k| (k * (pattern + 3) / 7) % 3 == 0 || k % 11 == pattern).collect();
+            cycle.freeze(finest, &frozen);
+            for k in (0..finest).rev() {
+                let (coarse, fine) = (&grids[k], &grids[k + 1]);
+                let transfer = fine.transfer.as_ref().expect("a transfer");
+                let below = cycle.frozen(k).to_vec();
+                let held = |bounds: &[crate::qp::Bound], frozen: &[bool], x: &mut [f64]| {
+                    bounds.iter().zip(frozen).filter(|(_, f)| **f).for_each(|(b, _)| x[b.dof as usize] = 0.0);
+                    (0..x.len()).filter(|&i| discrete.basis.fixed[i]).for_each(|i| x[i] = 0.0);
+                };
+                let mut c = Random(5).vector(coarse.dimension());
+                held(&coarse.bounds, &below, &mut c);
+                let mut direct = c.clone();
+                coarse.matrix().apply(&c, &mut direct);
+                let (mut pc, mut kpc) = (vec![0.0; fine.dimension()], vec![0.0; fine.dimension()]);
+                transfer.prolong(&c, &mut pc);
+                held(&fine.bounds, &frozen, &mut pc);
+                fine.matrix().apply(&pc, &mut kpc);
+                held(&fine.bounds, &frozen, &mut kpc);
+                let mut galerkin = c.clone();
+                transfer.restrict(&fine.matrix(), &mut kpc, &mut galerkin);
+                held(&coarse.bounds, &below, &mut direct);
+                held(&coarse.bounds, &below, &mut galerkin);
+                let far = direct.iter().zip(&galerkin).enumerate().fold((0.0, 0), |m: (f64, usize), (i, (a, b))| {
+                    if (a - b).abs() > m.0 { ((a - b).abs(), i) } else { m }
+                });
+                let size = direct.iter().fold(0.0, |m: f64, a| m.max(a.abs()));
+                assert!(far.0 <= 1e-12 * size, "pattern {pattern}, level {k}: {far:?} of {size:e}");
+                frozen = below;
+            }
+        });
+    }
+}
+
 #[test]
 fn the_energy_falls_in_every_iteration_and_by_as_much_as_is_said() {
     with_levels(3, |_, discrete, levels| {

@@ -10,6 +10,7 @@
 //! There are one or two such components for each end of contact and level, so a change of the active set costs next to nothing.
 //! R. Kornhuber, *Monotone multigrid methods for elliptic variational inequalities I* (1994).
 
+use super::motion::Row;
 use super::transfer::Transfer;
 use crate::sparse::BlockMatrix;
 use std::collections::BTreeMap;
@@ -91,6 +92,16 @@ impl Transfer<'_> {
             }
         }
         column
+    }
+
+    /// The functional `x ↦ row(P x)`.
+    pub fn pull_back(&self, row: &Row) -> Row {
+        let few = row.iter().fold(Few::new(), |mut few, (dof, w)| {
+            few.entry(dof / 2).or_default()[(dof % 2) as usize] += w;
+            few
+        });
+        let coarse = self.restrict_few(&few).into_iter();
+        coarse.flat_map(|(slot, [u, v])| [(2 * slot, u), (2 * slot + 1, v)]).filter(|(_, w)| *w != 0.0).collect()
     }
 
     /// `Pᵀ f` of a few entries.

@@ -56,7 +56,7 @@ type Row = (&'static str, &'static str, &'static str, &'static str);
 const TABLE: &[Row] = &[
     // second opinions, initial gaps
     ("[levels]", "[solver]\nsecond = \"condensed\"\n\n[levels]", "\"condensed\"", "would agree with itself"),
-    ("[levels]", "[solver]\nsecond = \"simplex\"\n\n[levels]", "\"multigrid\"", "unknown variant"),
+    ("[levels]", "[solver]\nsecond = \"simplex\"\n\n[levels]", "\"simplex\"", "unknown variant"),
     ("[contact]\n", "[contact]\ninitial_gap = \"z\"\n", "z\"\nalong", "expression `z`"),
     // TOML itself
     ("id = \"small\"", "id = small\"", "small", "missing opening quote"),
