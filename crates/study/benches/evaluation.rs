@@ -10,8 +10,10 @@ use signorini_study::exact::{Exact, Expressions, built_in};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// Names of built-in solutions with their parameters, and where their bodies are.
-const SOLUTIONS: [(&str, &[(&str, f64)], [f64; 2]); 8] = [
+/// The name of a built-in solution, its parameters, and the lower left corner of a unit square in `Ω'`.
+type Solution = (&'static str, &'static [(&'static str, f64)], [f64; 2]);
+
+const SOLUTIONS: [Solution; 8] = [
     ("P", &[("k", 3.0), ("m", 2.0)], [0.0, 0.0]),
     ("W", &[], [0.0, 0.0]),
     ("R", &[("alpha", 1.5)], [0.0, 0.0]),

@@ -59,8 +59,11 @@ fn the_conical_product_is_exact_to_degree_ten() {
     assert!(error(6, 7) > 1e-15, "degree 13 is beyond the rule: {}", error(6, 7));
 }
 
+/// A rule that calls back with points and weights.
+type Rule<'a> = &'a dyn Fn(&mut dyn FnMut(Point, f64));
+
 /// Largest error of a rule on the monomials of a degree, on the unit triangle.
-fn worst(rule: &dyn Fn(&mut dyn FnMut(Point, f64)), degree: u32) -> f64 {
+fn worst(rule: Rule, degree: u32) -> f64 {
     let error = |p: u32| {
         let (q, mut sum) = (degree - p, 0.0);
         rule(&mut |x, w| sum += w * x.x.powi(p as i32) * x.y.powi(q as i32));
@@ -71,7 +74,6 @@ fn worst(rule: &dyn Fn(&mut dyn FnMut(Point, f64)), degree: u32) -> f64 {
 
 #[test]
 fn rules_are_exact_to_their_degree_and_no_further() {
-    type Rule<'a> = &'a dyn Fn(&mut dyn FnMut(Point, f64));
     let three: Rule = &|visit| three_points(unit(), &mut |x, w| visit(x, w));
     let six: Rule = &|visit| six_points(unit(), &mut |x, w| visit(x, w));
     for (rule, degree, beyond) in [(three, 2, 1e-4), (six, 4, 1e-5)] {
