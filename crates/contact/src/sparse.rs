@@ -142,7 +142,7 @@ mod tests {
 
     #[test]
     fn a_shared_row_is_the_row() {
-        let blocks = vec![[2.0, 0.5, 0.5, 3.0], [-1.0, 0.0, 0.25, -1.0], [-1.0, 0.25, 0.0, -1.0]];
+        let blocks = [[2.0, 0.5, 0.5, 3.0], [-1.0, 0.0, 0.25, -1.0], [-1.0, 0.25, 0.0, -1.0]];
         // a ring of three slots with equal rows would need equal orders of columns; slots 0 and 1 repeat, 2 does not
         let plain = BlockMatrix::new(
             vec![0, 2, 4, 6],

@@ -16,8 +16,16 @@ pub struct Coarsest {
 }
 
 impl Coarsest {
-    /// `x = K⁻¹ f` with the frozen components, and one component for each free motion, held at zero.
-    pub fn solve(&mut self, matrix: &BlockMatrix, bounds: &[Bound], frozen: &[bool], free: &[Vec<f64>], x: &mut [f64]) {
+    /// `x = K⁻¹ f` with the frozen components, and one component for each free motion, held at zero; the first of several sets of
+    /// motions counts that leaves a positive definite matrix.
+    pub fn solve(
+        &mut self,
+        matrix: &BlockMatrix,
+        bounds: &[Bound],
+        frozen: &[bool],
+        free: [&[Vec<f64>]; 2],
+        x: &mut [f64],
+    ) {
         if !self.factored {
             self.factor(matrix, bounds, frozen, free);
         }
@@ -37,15 +45,17 @@ impl Coarsest {
         self.factorizations
     }
 
-    fn factor(&mut self, matrix: &BlockMatrix, bounds: &[Bound], frozen: &[bool], free: &[Vec<f64>]) {
+    fn factor(&mut self, matrix: &BlockMatrix, bounds: &[Bound], frozen: &[bool], free: [&[Vec<f64>]; 2]) {
         self.factored = true;
         self.factorizations += 1;
         let mut removed = vec![false; matrix.dimension()];
         frozen_dofs(bounds, frozen).into_iter().for_each(|i| removed[i] = true);
-        if let Some(anchors) = anchors(free) {
-            anchors.into_iter().for_each(|i| removed[i] = true);
-        }
-        self.factor = Cholesky::new(matrix, &removed, &[], &[]).ok();
+        let holding = |free: &[Vec<f64>]| {
+            let mut removed = removed.clone();
+            anchors(free).into_iter().flatten().for_each(|i| removed[i] = true);
+            Cholesky::new(matrix, &removed, &[], &[]).ok()
+        };
+        self.factor = free.into_iter().find_map(holding);
     }
 }
 

@@ -132,6 +132,9 @@ pub struct Cycle<'a> {
     rooms: Vec<Room>,
     /// Those of the motions that the frozen components leave free, on the coarsest level.
     free: Vec<Vec<f64>>,
+    /// Those that leave the coarsest level's own frozen components at rest. On curved bodies these are others: a turn of the coarse mesh in
+    /// its hollow is none of the fine one.
+    own: Vec<Vec<f64>>,
     /// The level and the active set that the coarse levels stand for.
     face: Option<(usize, Vec<bool>)>,
     coarsest: Coarsest,
@@ -159,6 +162,7 @@ impl<'a> Cycle<'a> {
             motions,
             rooms,
             free: Vec::new(),
+            own: Vec::new(),
             face: None,
             coarsest: Coarsest::default(),
             repeats: 1,
@@ -169,7 +173,7 @@ impl<'a> Cycle<'a> {
     /// The correction on grid `fine` for the residual `rest` there, with the components held that [`freeze`](Self::freeze) was
     /// told of: `rest` is used up and becomes the correction.
     pub fn correct(&mut self, fine: usize, frozen: &[bool], rest: &mut [f64]) {
-        self.from_below(fine, frozen, rest);
+        self.correct_from_below(fine, frozen, rest);
     }
 
     /// Where a V-cycle with one sweep on each side is too little, as near incompressibility: from now on a W-cycle with two.
@@ -234,6 +238,7 @@ impl<'a> Cycle<'a> {
         }
         if self.has_motions() {
             self.free = self.motions_left(fine, frozen);
+            self.own = self.rooms.first().map_or_else(Vec::new, |room| self.motions_left(0, &room.frozen));
         }
     }
 
@@ -249,7 +254,7 @@ impl<'a> Cycle<'a> {
     }
 
     /// `rest = P (cycle on the next coarser level) Pᵀ rest`, without the frozen components.
-    fn from_below(&mut self, fine: usize, frozen: &[bool], rest: &mut [f64]) {
+    fn correct_from_below(&mut self, fine: usize, frozen: &[bool], rest: &mut [f64]) {
         let grid = &self.grids[fine];
         let Some(transfer) = &grid.transfer else { return };
         let held = frozen_dofs(&grid.bounds, frozen);
@@ -269,7 +274,7 @@ impl<'a> Cycle<'a> {
         frozen_dofs(&grid.bounds, frozen).into_iter().for_each(|i| load[i] = 0.0);
         if k == 0 {
             x.copy_from_slice(load);
-            self.coarsest.solve(&grid.matrix(), &grid.bounds, frozen, &self.free, x);
+            self.coarsest.solve(&grid.matrix(), &grid.bounds, frozen, [&self.free, &self.own], x);
             return;
         }
         x.fill(0.0);
@@ -278,7 +283,7 @@ impl<'a> Cycle<'a> {
         for _ in 0..self.repeats {
             grid.residual(load, x, rest);
             self.visited += grid.entries();
-            self.from_below(k, frozen, rest);
+            self.correct_from_below(k, frozen, rest);
             vector::add(x, 1.0, rest);
         }
         (0..self.repeats).for_each(|_| grid.sweep(Direction::Backward, limits, load, x));

@@ -184,11 +184,10 @@ impl<'a> Iteration<'a> {
         if rested && self.remembers {
             let old = [dot(&self.step, &self.rest), dot(&self.step, &self.step_image)];
             let cross = dot(&self.change, &self.step_image);
-            if let Some((lengths, decrease)) = plane([slope, old[0]], [curvature, cross, old[1]]) {
-                if self.is_within(lengths) {
-                    self.take(lengths);
-                    return decrease;
-                }
+            let least = plane([slope, old[0]], [curvature, cross, old[1]]);
+            if let Some((lengths, decrease)) = least.filter(|(lengths, _)| self.is_within(*lengths)) {
+                self.take(lengths);
+                return decrease;
             }
         }
         let length = self.length(rested, slope, curvature);

@@ -23,7 +23,7 @@ pub struct Order {
 impl Order {
     /// The natural order of `slots` slots.
     pub fn natural(slots: usize) -> Self {
-        Self { interface: vec![0..slots as u32], parts: Vec::new() }
+        Self { interface: std::iter::once(0..slots as u32).collect(), parts: Vec::new() }
     }
 
     /// The order with these independent parts; all other slots of `matrix` are interface.
@@ -126,7 +126,7 @@ mod tests {
     fn what_no_part_claims_is_interface() {
         let order = Order::new(&chain(), vec![vec![0..2], vec![3..5, 5..6]]).unwrap();
         assert_eq!(order.interface(), [2..3, 6..7]);
-        assert_eq!(order.without(vec![6]).interface(), [2..3]);
+        assert!(order.without(vec![6]).interface().iter().eq(std::iter::once(&(2..3))));
         let order = Order::natural(7).without(vec![0, 3, 4]);
         assert_eq!(order.interface(), [1..3, 5..7]);
     }
