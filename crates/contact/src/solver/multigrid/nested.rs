@@ -8,7 +8,7 @@ use crate::solver::kernel::anchors;
 use crate::solver::{Method, Prepared, QpSolution, Settings, Status, condensed};
 
 /// Iterations on the finest level, at most.
-const MOST: usize = 200;
+const MOST: usize = 1000;
 /// Iterations on a level below the finest, at most, and the share of its discretisation error that is enough there.
 const MOST_BELOW: usize = 6;
 const BELOW: f64 = 0.2;
