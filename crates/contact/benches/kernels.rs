@@ -9,6 +9,7 @@ use signorini_contact::mesh::blocks::{Pattern, QuadBlock, triangulate};
 use signorini_contact::mesh::{Hierarchy, Mesh, PartOutline};
 use signorini_contact::problem::{Data, Discrete, Problem, Support};
 use signorini_contact::quadrature::Cubature;
+use signorini_contact::solver::{Accuracy, Method, Prepared, Settings};
 use signorini_contact::zone::Zone;
 use signorini_contact::{Body, ContactLine, Error, Material, Path, Point, Vec2};
 
@@ -80,6 +81,23 @@ fn assembly(bencher: Bencher, n: usize) {
     let (mesh, materials, discrete) = discrete(n).expect("two squares");
     let unknowns = ItemsCount::new(discrete.qp.load.len());
     bencher.counter(unknowns).bench_local(|| stiffness(black_box(&mesh), &materials, &discrete.basis));
+}
+
+/// The contact problem by nested multigrid from 8 cells on, to one per cent of the discretisation error; coarse matrices included.
+#[divan::bench(args = CELLS)]
+fn multigrid(bencher: Bencher, n: usize) {
+    let mut hierarchy = Hierarchy::new(mesh(8).expect("two squares"));
+    (0..(n / 8).ilog2()).for_each(|_| hierarchy.refine());
+    let materials = [Material::isotropic(1.0, 0.3, Plane::Strain).expect("a material"); 2];
+    let (supports, cubature) = (parts().1, Cubature::default());
+    let mesh = hierarchy.finest();
+    let problem = Problem { mesh, materials, supports: &supports, data: &Press, cubature: &cubature };
+    let discrete = problem.discretise().expect("two squares");
+    let accuracy = Accuracy::Discretisation(0.01);
+    let settings = Settings { method: Method::Multigrid, accuracy, ..Settings::default() };
+    let solve =
+        || Prepared::with_levels(&discrete.qp, discrete.levels(black_box(&hierarchy), &materials)).solve(&settings);
+    bencher.counter(ItemsCount::new(discrete.dofs())).bench_local(solve);
 }
 
 /// Red refinement to `n` cells.

@@ -3,7 +3,7 @@
 //! [`solve`] chooses by [`Settings::method`]. In reading order: [`cholesky`] (the sparse factor), `schur` (condensation),
 //! `dense` (the problem on the bounded components), `active_set` and its refuge `monotone`, `condensed` (all of these
 //! together); `interior_point` and `crossover`, which share nothing with them but the sparse factor; `kernel` (two-sided
-//! motions), for both.
+//! motions), for both; [`multigrid`] over the levels of a hierarchy.
 
 mod active_set;
 pub mod cholesky;
