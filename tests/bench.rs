@@ -41,7 +41,8 @@ fn a_small_measurement_leaves_record_tables_and_pictures() {
     let level = &folder.record("reports/theorem-3-1-smooth/structured").levels[1];
     assert_eq!(studies[0]["solvers"][0]["runs"][1]["error"].as_f64(), level.errors.energy);
     assert_eq!((&studies[1]["error"], &studies[1]["solvers"][0]["runs"][1]["error"]), (&"none".into(), &Value::Null));
-    assert_eq!(folder.text("out/bench.csv").lines().count(), 1 + 2 * 2 * 2);
+    // a line for each of two studies, two levels and three solvers
+    assert_eq!(folder.text("out/bench.csv").lines().count(), 1 + 2 * 2 * 3);
     assert!(folder.text("out/bench.md").contains("| solver | unknowns | error (%) |"));
     for name in ["work-precision", "scaling", "work-precision-two-squares", "scaling-two-squares"] {
         let bytes = std::fs::read(folder.path(&format!("out/{name}.png"))).expect("a picture");

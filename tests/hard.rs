@@ -116,15 +116,16 @@ fn without_units(level: &Level, l: f64, e: f64) -> Vec<(&'static str, f64)> {
 }
 
 /// Units a power of two apart round alike, so what is left is what really depends on them. Decimal ones round every datum anew, and the
-/// solution answers to that with its condition.
+/// solution answers to that with its condition: about 1e-14 of its size here, which is 1e-11 of an L² error of a thousandth of it, give or
+/// take the order of summation.
 #[test]
 fn units_change_nothing() {
     let one = run(1.0, 1.0);
     assert!(one.levels.iter().all(|l| l.active > 0 && l.active < l.constraints), "contact opens nowhere or everywhere");
     let (nano, giga) = (2f64.powi(-30), 2f64.powi(36));
     demand_the_same(&one, [(nano, giga), (1.0 / nano, 1.0 / giga)], 1e-14);
-    demand_the_same(&one, [(1e-9, 1e11), (1e9, 1e-11)], 1e-11);
-    demand_the_same(&one, [(1e-9, 1e-11), (1e9, 1e11)], 1e-11);
+    demand_the_same(&one, [(1e-9, 1e11), (1e9, 1e-11)], 3e-11);
+    demand_the_same(&one, [(1e-9, 1e-11), (1e9, 1e11)], 3e-11);
 }
 
 fn demand_the_same(one: &StudyRecord, units: [(f64, f64); 2], tolerance: f64) {
