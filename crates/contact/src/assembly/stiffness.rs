@@ -121,6 +121,7 @@ impl Assembly<'_> {
                 }
             }
         }
+        balance(columns, node, row);
     }
 
     /// Row `slot` of `TᵀAT`: `Σ T_i,slotᵀ k_ij T_j,s` over the elements around the nodes `i` that depend on the slot.
@@ -183,6 +184,15 @@ fn block_of_slot(basis: &Basis, node: usize, slot: usize) -> [f64; 4] {
     let (slots, n) = basis.slots(node);
     let of_slot = |s: &&Slot| s.0 as usize == slot;
     slots[..n].iter().find(of_slot).map_or([0.0; 4], |s| s.1)
+}
+
+/// `k_ii = −Σ k_ij`, so that a translation calls up no force. Rows that repeat round alike: what is left of a translation in one is left
+/// in all, and adds up like a load.
+fn balance(columns: &[u32], node: usize, row: &mut [[f64; 4]]) {
+    let Some(own) = columns.iter().position(|&j| j as usize == node) else { return };
+    row[own] = [0.0; 4];
+    let sum = row.iter().fold([0.0; 4], |sum, b| std::array::from_fn(|k| sum[k] + b[k]));
+    row[own] = sum.map(|s| -s);
 }
 
 /// Adds to the block in `column`, which the row has.
