@@ -155,7 +155,7 @@ pub struct DofsRange {
 }
 
 /// Most unknowns where `--dofs` names no end: what fits in the memory of large machines.
-const ENDLESS: usize = 100_000_000;
+const ENDLESS: usize = 2_000_000_000;
 
 fn dofs_range(text: &str) -> Result<DofsRange, String> {
     let (a, b) = text.split_once("..").ok_or("two numbers with .. between them, e.g. 1e3..1e5")?;
@@ -171,7 +171,7 @@ fn dofs_range(text: &str) -> Result<DofsRange, String> {
 fn count(text: &str) -> Result<usize, String> {
     match text.parse::<f64>() {
         Ok(x) if (1.0..=ENDLESS as f64).contains(&x) && x.fract() == 0.0 => Ok(x as usize),
-        _ => Err(format!("`{text}` is no whole number from 1 to 1e8, such as 100000 or 1e5")),
+        _ => Err(format!("`{text}` is no whole number from 1 to 2e9, such as 100000 or 1e5")),
     }
 }
 

@@ -72,9 +72,18 @@ impl Squares {
 /// The norms of a field of the finite element space: exactly on straight triangles (`L²` by the element mass matrix), by 64
 /// points on those with a curved side.
 pub fn of_linear(mesh: &Mesh, materials: &[Material; 2], v: &[Vec2]) -> Squares {
+    of_nodal(mesh, materials, |i| v[i])
+}
+
+/// The same of the difference `u − v` of two fields, which is nowhere stored.
+pub fn of_linear_difference(mesh: &Mesh, materials: &[Material; 2], u: &[Vec2], v: &[Vec2]) -> Squares {
+    of_nodal(mesh, materials, |i| u[i] - v[i])
+}
+
+fn of_nodal(mesh: &Mesh, materials: &[Material; 2], nodal: impl Fn(usize) -> Vec2 + Sync) -> Squares {
     ordered_sum(mesh.triangles.len(), |t| {
         let body = mesh.body(t);
-        let values = mesh.triangles[t].map(|i| v[i as usize]);
+        let values = mesh.triangles[t].map(|i| nodal(i as usize));
         let mut squares = Squares::default();
         if let Some(curved) = mesh.curved_triangle(t) {
             let material = &materials[body.index()];
