@@ -14,6 +14,7 @@ pub mod family;
 pub mod file;
 mod finite;
 pub mod lemma;
+pub mod msh;
 pub mod nearest;
 pub mod rate;
 pub mod record;
