@@ -8,6 +8,7 @@ pub mod corner;
 pub mod error;
 pub mod exact;
 pub mod expr;
+pub mod external;
 pub mod extrapolation;
 pub mod falsify;
 pub mod family;
