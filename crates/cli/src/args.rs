@@ -1,5 +1,6 @@
 //! The command line: what may be typed.
 
+use crate::change::ChangeArgs;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
@@ -78,6 +79,9 @@ pub struct RunArgs {
     /// Print nothing but errors and the summary.
     #[arg(long)]
     pub quiet: bool,
+    /// Keys that are overridden.
+    #[command(flatten)]
+    pub change: ChangeArgs,
 }
 
 /// Arguments of `check`.
@@ -89,6 +93,9 @@ pub struct CheckArgs {
     /// How large the meshes are.
     #[arg(long, value_enum, default_value_t = ProfileArg::Quick)]
     pub profile: ProfileArg,
+    /// Keys that are overridden.
+    #[command(flatten)]
+    pub change: ChangeArgs,
 }
 
 /// `--profile`.
@@ -143,6 +150,9 @@ pub struct BenchArgs {
     /// Print nothing but errors and the tables.
     #[arg(long)]
     pub quiet: bool,
+    /// Keys that are overridden.
+    #[command(flatten)]
+    pub change: ChangeArgs,
 }
 
 /// `--dofs`: least and most unknowns.

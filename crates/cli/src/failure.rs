@@ -30,7 +30,10 @@ impl Failure {
         if error.is_of_files() {
             return Self::new(what, OTHER_FOLDER);
         }
-        Self::new(what, format!("mend the study; `signorini check {}` tries everything but the solve", study.id))
+        Self::new(
+            what,
+            format!("mend the study; `signorini check {}` tries everything but the solve", study.id_of_file()),
+        )
     }
 }
 

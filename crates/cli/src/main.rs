@@ -6,6 +6,7 @@ mod say;
 mod args;
 mod bench;
 mod bless;
+mod change;
 mod check;
 mod coverage;
 mod failure;

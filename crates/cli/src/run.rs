@@ -1,6 +1,7 @@
 //! `signorini run`: studies in, records, tables, plots and a verdict out.
 
 use crate::args::{ProfileArg, RunArgs, SolverArg};
+use crate::change::load_changed;
 use crate::failure::Failure;
 use crate::progress::Progress;
 use serde::Serialize;
@@ -16,7 +17,7 @@ use std::path::Path;
 
 /// Runs studies and returns the exit status.
 pub fn run(args: &RunArgs) -> Result<u8, Failure> {
-    let studies = load(&args.studies)?;
+    let studies = load_changed(&args.studies, &args.change.changes()?)?;
     let (runs, drifted) = execute(args, &studies)?;
     let records: Vec<StudyRecord> = runs.into_iter().flatten().map(|r| r.record).collect();
     signorini_report::render_summary(&records, &args.out)?;
@@ -35,12 +36,6 @@ pub fn library() -> Result<Library, Failure> {
         Failure::new(format!("the current folder cannot be read: {e}"), "run from a folder that exists")
     })?;
     Ok(find_studies(&here))
-}
-
-/// Reads the studies that the names stand for.
-pub fn load(names: &[String]) -> Result<Vec<Study>, Failure> {
-    let sources = library()?.select(names)?;
-    sources.iter().map(|s| s.load().map_err(Failure::from)).collect()
 }
 
 /// Runs the studies side by side and writes each study's files as soon as it is done. Returns the runs in the order of

@@ -23,6 +23,7 @@
 
 pub mod bench;
 mod borderline;
+mod changed;
 pub mod corner;
 mod coverage;
 pub mod error;

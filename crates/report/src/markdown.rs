@@ -1,6 +1,7 @@
 //! The page of one case: question, claim, set-up, verdict, tables and pictures, in the order a reader asks.
 
 use crate::borderline;
+use crate::changed;
 use crate::corner;
 use crate::coverage;
 use crate::extrapolation;
@@ -32,6 +33,7 @@ pub struct Pictures {
 pub fn page(record: &StudyRecord, pictures: Pictures) -> String {
     let sections = [
         head(record),
+        section("Changed", &changed::section(record)),
         section("Question", &record.question),
         claim(record),
         set_up(record),
@@ -328,7 +330,7 @@ pub fn command(record: &StudyRecord) -> String {
         "custom" => format!(" --levels {}", record.levels.len()),
         profile => format!(" --profile {profile}"),
     };
-    format!("signorini run {}{sizes}", record.study)
+    format!("signorini run {}{sizes}", changed::arguments(record))
 }
 
 fn reproduce(record: &StudyRecord) -> String {

@@ -3,6 +3,7 @@
 //! A study is data (TOML), a result is data (JSON), and everything between is a pure function of the two and a seed.
 
 pub mod bench;
+pub mod change;
 pub mod claim;
 pub mod corner;
 pub mod error;

@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
 mod bilateral;
+mod changed;
 mod corner;
 mod errors;
 mod extrapolation;
@@ -17,6 +18,7 @@ mod second;
 mod splitting;
 mod zone;
 pub use bilateral::BilateralRecord;
+pub use changed::{Changed, Setting};
 pub use corner::{Corner, CornerState, CornerWedge, RayState, corner_rate};
 pub use errors::Errors;
 pub use extrapolation::Extrapolation;
@@ -97,6 +99,9 @@ pub struct StudyRecord {
     /// Of a case that was to be refused: it has no levels.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub refusal: Option<Refusal>,
+    /// What options changed of the study before it ran; nothing of a study as its file has it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub changed: Option<Changed>,
 }
 
 /// Which reference the errors are measured against.

@@ -99,6 +99,7 @@ pub(crate) fn record(study: &str, case: &str, levels: Vec<Level>) -> StudyRecord
         corners: Vec::new(),
         extrapolation: None,
         refusal: None,
+        changed: None,
     }
 }
 

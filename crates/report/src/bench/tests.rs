@@ -45,6 +45,7 @@ fn run(level: usize, dofs: usize, factor: f64) -> Measured {
         processor: Some(seconds),
         peak_bytes: Some(spread(1.2e7 + 1500.0 * dofs as f64)),
         linear: Some(linear),
+        closed: Some(0.5),
     }
 }
 
@@ -78,6 +79,7 @@ fn study(id: &str) -> BenchStudy {
         targets: vec![0.05, 0.02],
         solvers: vec![curve("condensed", &sizes, 1.0, vec![]), curve("interior-point", &sizes, 9.0, vec![refused])],
         sizes,
+        changed: None,
     }
 }
 

@@ -163,6 +163,7 @@ pub fn blank(levels: Vec<Level>) -> StudyRecord {
         corners: Vec::new(),
         extrapolation: None,
         refusal: None,
+        changed: None,
     }
 }
 

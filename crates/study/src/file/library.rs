@@ -9,6 +9,7 @@
 use super::error::StudyError;
 use super::shipped::SHIPPED;
 use super::words::suggestion;
+use crate::change::Changes;
 use crate::study::Study;
 use std::path::{Path, PathBuf};
 
@@ -62,6 +63,17 @@ impl Source {
         match self.shipped {
             Some(text) => Study::parse(text, &self.path),
             None => Study::load(&self.path),
+        }
+    }
+
+    /// The same with what options change of it.
+    ///
+    /// # Errors
+    /// As [`Changes::apply`].
+    pub fn load_changed(&self, changes: &Changes) -> Result<Study, StudyError> {
+        match self.shipped {
+            Some(text) => changes.apply(text, &self.path),
+            None => changes.apply(&super::text(&self.path)?, &self.path),
         }
     }
 

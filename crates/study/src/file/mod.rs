@@ -51,13 +51,7 @@ impl Study {
     /// # Errors
     /// The first thing in the file that makes no sense, with its place; or that the file cannot be read.
     pub fn load(path: &Path) -> Result<Self, StudyError> {
-        let text = std::fs::read_to_string(path).map_err(|e| StudyError {
-            path: path.to_path_buf(),
-            position: None,
-            message: format!("cannot read the study: {e}"),
-            next: "check the path, and that the file is UTF-8 text".into(),
-        })?;
-        Self::parse(&text, path)
+        Self::parse(&text(path)?, path)
     }
 
     /// Resolves the text of a study file. `path` is named in messages, and its stem must be the study's id.
@@ -67,6 +61,16 @@ impl Study {
     pub fn parse(text: &str, path: &Path) -> Result<Self, StudyError> {
         parse::tables(text).and_then(|raw| resolve::study(&raw, path)).map_err(|fault| fault.locate(path, text))
     }
+}
+
+/// The text of the file at `path`.
+fn text(path: &Path) -> Result<String, StudyError> {
+    std::fs::read_to_string(path).map_err(|e| StudyError {
+        path: path.to_path_buf(),
+        position: None,
+        message: format!("cannot read the study: {e}"),
+        next: "check the path, and that the file is UTF-8 text".into(),
+    })
 }
 
 impl Case {

@@ -118,6 +118,7 @@ fn case(name: &Spanned<String>, layer: Layer<'_>, claim: &Claim) -> Result<Case,
         splitting,
         fixed_quadrature,
         canonical: String::new(),
+        changed: None,
         parameters: BTreeMap::new(),
     };
     case.canonical = canonical::text(&case, &layer, claim);

@@ -343,6 +343,7 @@ fn conclude(
         corners,
         extrapolation,
         refusal: None,
+        changed: case.changed.clone(),
     })
 }
 
