@@ -1,5 +1,6 @@
 //! The command line: what may be typed.
 
+use crate::fields::FieldsArg;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
@@ -78,6 +79,9 @@ pub struct RunArgs {
     /// Print nothing but errors and the summary.
     #[arg(long)]
     pub quiet: bool,
+    /// Fields of levels.
+    #[command(flatten)]
+    pub fields: FieldsArg,
 }
 
 /// Arguments of `check`.

@@ -11,6 +11,7 @@ pub mod expr;
 pub mod extrapolation;
 pub mod falsify;
 pub mod family;
+pub mod fields;
 pub mod file;
 mod finite;
 pub mod lemma;
