@@ -1,6 +1,7 @@
 //! The command line: what may be typed.
 
 use crate::change::ChangeArgs;
+use crate::fields::FieldsArg;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
@@ -82,6 +83,9 @@ pub struct RunArgs {
     /// Keys that are overridden.
     #[command(flatten)]
     pub change: ChangeArgs,
+    /// Fields of levels.
+    #[command(flatten)]
+    pub fields: FieldsArg,
 }
 
 /// Arguments of `check`.

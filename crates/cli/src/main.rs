@@ -11,6 +11,7 @@ mod check;
 mod coverage;
 mod failure;
 mod falsify;
+mod fields;
 mod list;
 mod progress;
 mod report;

@@ -77,6 +77,7 @@ fn settings(args: &RunArgs) -> RunSettings {
         levels: args.levels.map(usize::from),
         solver: args.solver.map(method),
         partial: Some(args.out.join(".partial")),
+        keep: args.fields.keep(),
     }
 }
 

@@ -13,6 +13,7 @@ pub mod external;
 pub mod extrapolation;
 pub mod falsify;
 pub mod family;
+pub mod fields;
 pub mod file;
 mod finite;
 pub mod lemma;

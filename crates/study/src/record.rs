@@ -2,6 +2,7 @@
 //!
 //! A number is `null` exactly where there is no value; a non-finite number is refused by [`StudyRecord::to_json`].
 
+use crate::fields::Fields;
 use crate::finite;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -208,6 +209,9 @@ pub struct Level {
     /// What another solver says, where the study asks one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub second: Option<SecondOpinion>,
+    /// The fields of the level, on their way into [`CaseRun::fields`](crate::run::CaseRun::fields): only while a case is unfinished.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub fields: Option<Box<Fields>>,
 }
 
 /// Scaled residuals of the optimality conditions (no units), recomputed from the raw data.

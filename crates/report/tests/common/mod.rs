@@ -207,6 +207,7 @@ fn level(k: usize, errors: impl Fn(f64) -> Errors) -> Level {
         solution_trace: Some(1.0),
         contact: None,
         second: None,
+        fields: None,
     }
 }
 

@@ -5,7 +5,7 @@
 
 mod alone;
 mod check;
-mod contact;
+pub(crate) mod contact;
 mod contact_width;
 mod corners;
 #[cfg(test)]
@@ -31,6 +31,7 @@ mod zone_ledger;
 use crate::error::RunError;
 use crate::exact::verify;
 use crate::extrapolation;
+use crate::fields::{Fields, Keep};
 use crate::lemma::Lemma;
 use crate::rate;
 use crate::record::{Level, Reference, SCHEMA, StudyRecord, ZoneProfile};
@@ -74,6 +75,8 @@ pub struct RunSettings {
     pub solver: Option<Method>,
     /// Where unfinished cases keep their finished levels; nothing is kept without it.
     pub partial: Option<PathBuf>,
+    /// Which levels keep their fields.
+    pub keep: Keep,
 }
 
 /// Who is told how far a run has come.
@@ -95,6 +98,8 @@ pub struct CaseRun {
     pub times: Vec<LevelTimes>,
     /// The reference solve.
     pub reference_times: Option<LevelTimes>,
+    /// The fields of the levels that keep theirs, coarsest first.
+    pub fields: Vec<Fields>,
     kept: Partial,
 }
 
@@ -176,7 +181,7 @@ fn run_lemma(
     let (levels, times) = side_by_side(cells.len(), measure)?;
     let reference = if case.reference == ReferencePlan::Exact { Reference::Exact } else { Reference::None };
     let record = conclude(study, case, settings, levels, reference, None)?;
-    Ok(CaseRun { record, times, reference_times: None, kept: Partial::none() })
+    Ok(CaseRun { record, times, reference_times: None, fields: Vec::new(), kept: Partial::none() })
 }
 
 /// Measures all levels, each by itself; the first error in their order.
@@ -199,7 +204,7 @@ fn run_contact(
     verify_exact(case, scene)?;
     slide::verify(scene, &study.claim.norm)?;
     let cells = cells_of(case, settings);
-    let task = Task { case, scene, cells, settings: solver_settings(case, settings), constrain: Zone::new };
+    let task = Task { case, scene, cells, settings: solver_settings(case, settings), constrain: Zone::new, keep: settings.keep.clone() };
     let partial = Partial::open(study, case, settings, &task)?;
     let overkill = solve_reference(&task, settings)?;
     if overkill.is_some() {
@@ -212,13 +217,15 @@ fn run_contact(
     };
     let measured: Vec<_> = (0..cells.len()).into_par_iter().map(measure).collect();
     let refused::Parted { solved, refused } = refused::part(measured, cells)?;
-    let (levels, times) = solved.into_iter().unzip();
+    let (mut levels, times): (Vec<Level>, Vec<LevelTimes>) = solved.into_iter().unzip();
+    let fields = levels.iter_mut().filter_map(|level| level.fields.take()).map(|f| *f).collect();
+    let fields = settings.keep.finally(fields);
     let reference = reference::describe(case, overkill.as_ref().map(|(o, _)| o));
     let zone = overkill.as_ref().and_then(|(o, _)| reference::zone(scene, o));
     let mut record = conclude(study, case, settings, levels, reference, zone)?;
     record.verdict = refused::doubted(record.verdict, &refused);
     record.notes.extend(refused.into_iter().chain(level::bilateral::note(&record.levels)));
-    Ok(CaseRun { record, times, reference_times: overkill.map(|(_, t)| t), kept: partial })
+    Ok(CaseRun { record, times, reference_times: overkill.map(|(_, t)| t), fields, kept: partial })
 }
 
 /// How many times [`Watch::level_done`] will be called for a study: its levels, and one for each reference.

@@ -21,6 +21,7 @@ use super::profile;
 use super::timing::{LevelTimes, Stopwatch};
 use crate::error::RunError;
 use crate::family::{self, Level as MeshLevel};
+use crate::fields::{self, Keep};
 use crate::record::{Budget, Errors, Kkt, Level, SolverRecord};
 use crate::reference::exact::Pair;
 use crate::reference::overkill::Overkill;
@@ -57,6 +58,8 @@ pub struct Task<'a> {
     pub settings: Settings,
     /// How the contact zone of a mesh is constrained: [`Zone::new`], unless a test plants a defect.
     pub constrain: fn(&Mesh) -> Zone,
+    /// Which levels keep their fields.
+    pub keep: Keep,
 }
 
 impl Task<'_> {
@@ -257,7 +260,10 @@ impl Task<'_> {
         let contact = profile::measure(self.scene, finest, discrete, solution, state, with_profile);
         let mut errors = Errors { penetration_l2: Some(state.penetration()), ..Default::default() };
         profile::compare(&contact, &mut errors);
+        let kept = self.keep.wants(index, self.cells.len(), finest.triangles.len());
+        let fields = kept.then(|| fields::collect(index, self.scene, finest, discrete, solution, state)).flatten();
         Level {
+            fields: fields.map(Box::new),
             level: index,
             cells: self.cells[index],
             h: meshed.quality.h,
