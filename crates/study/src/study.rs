@@ -7,7 +7,8 @@ use crate::lemma::Lemma;
 use crate::record::{Bounds, Changed, FormulaValues, Outcome};
 use crate::splitting::SplittingPlan;
 use signorini_contact::element::CurvedElement;
-use signorini_contact::geometry::{InitialGap, SharedCurve};
+use signorini_contact::geometry::{InitialGap, Piece, SharedCurve};
+use signorini_contact::mesh::Triangulation;
 use signorini_contact::problem::SlideCondition;
 use signorini_contact::{Body, ContactLine, Material, Path, Point, Vec2, mesh, solver};
 use std::collections::BTreeMap;
@@ -246,8 +247,29 @@ pub enum Normals {
 pub struct Shape {
     /// Its name in the study.
     pub name: String,
-    /// The blocks and how each is divided.
+    /// The blocks and how each is divided; none of a body out of a mesh file.
     pub blocks: Vec<Block>,
+    /// The body as a mesh file has it, in place of blocks.
+    pub imported: Option<Arc<Imported>>,
+}
+
+/// A body out of a mesh file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Imported {
+    /// Its coarsest mesh.
+    pub mesh: Triangulation,
+    /// Its boundary: parts and contact zone, from corner to corner.
+    pub boundary: Vec<Piece>,
+    /// What the reader should know of how it was read.
+    pub notes: Vec<String>,
+}
+
+impl Shape {
+    /// Whether a side of the body is curved.
+    pub fn is_curved(&self) -> bool {
+        let blocks = self.blocks.iter().flat_map(|b| &b.curves).any(Option::is_some);
+        blocks || self.imported.iter().flat_map(|i| &i.boundary).any(|p| p.curve().is_some())
+    }
 }
 
 /// A quadrilateral, divided into `divisions[0]·n × divisions[1]·n` cells at mesh parameter `n`.

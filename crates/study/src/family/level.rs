@@ -3,7 +3,7 @@
 use super::Family;
 use super::perturb::{Guard, perturb, turn_diagonals};
 use super::random::Random;
-use super::unstructured;
+use super::{imported, unstructured};
 use crate::study::{Discretisation, Shape};
 use signorini_contact::geometry::InitialGap;
 use signorini_contact::mesh::blocks::{QuadBlock, triangulate};
@@ -49,7 +49,7 @@ pub struct Domain<'a> {
 impl Domain<'_> {
     /// Whether a side of a body is curved.
     pub fn is_curved(&self) -> bool {
-        self.shapes.iter().flat_map(|s| &s.blocks).flat_map(|b| &b.curves).any(Option::is_some)
+        self.shapes.iter().any(Shape::is_curved)
     }
 
     /// Whether the levels of a family hold the fields of the coarser ones. New nodes of curved sides leave their chords, so on
@@ -70,6 +70,7 @@ impl Domain<'_> {
 /// cells are no `2^k cells[0]`, and whatever [`triangulate`] and [`Mesh::build`] refuse.
 pub fn build_level(family: &Family, domain: &Domain, cells: &[usize], index: usize) -> Result<Level, Error> {
     check(family, cells)?;
+    imported::check_size(domain, cells[cells.len() - 1])?;
     let Some(&n) = cells.get(index) else {
         return refuse(format!("level {index} does not exist; there are {} levels, from 0", cells.len()));
     };
@@ -175,6 +176,7 @@ impl Scene<'_> {
         let mut bodies = match *self.family {
             Family::Delaunay { seed } => unstructured::independent(self.domain, n, seed)?,
             Family::RefinedDelaunay { seed } => unstructured::coarse(self.domain, n, seed)?,
+            Family::Imported => imported::coarse(self.domain, n)?,
             Family::Graded { seed, towards, strength } => {
                 unstructured::graded(self.domain, n, seed, towards, strength)?
             }

@@ -5,7 +5,7 @@
 //! | structured, criss-cross | the coarsest mesh, refined red; a fresh mesh where `n` is not `2^k` times its cells | by refinement |
 //! | union-jack | a fresh mesh | no |
 //! | perturbed | a fresh structured mesh, moved at random | no |
-//! | refined | one irregular coarse mesh, refined red | yes |
+//! | refined | one irregular coarse mesh, made here or read from a file, refined red | yes |
 //! | delaunay | an independent Delaunay mesh | no |
 //! | graded | an independent Delaunay mesh with sides that shrink towards a point | no |
 //! | degenerate | a fresh mesh of cells ever flatter: its smallest angle falls like `h` | no |
@@ -19,6 +19,7 @@ use signorini_contact::mesh::blocks::Pattern;
 mod cut;
 mod degenerate;
 pub mod delaunay;
+mod imported;
 mod level;
 mod perturb;
 pub(crate) mod random;
@@ -71,6 +72,8 @@ pub enum Family {
         /// `γ` of the side length `h (max(r, h)/R)^γ`, between 0 and 1.
         strength: f64,
     },
+    /// Red refinement of the mesh that a file holds.
+    Imported,
     /// Cells squeezed in one direction the more the finer they are: no regular family.
     Degenerate(Degenerate),
 }
@@ -83,7 +86,7 @@ impl Family {
             Self::CrissCross => "criss-cross",
             Self::UnionJack => "union-jack",
             Self::Perturbed { .. } => "perturbed",
-            Self::Refined { .. } | Self::RefinedDelaunay { .. } => "refined",
+            Self::Refined { .. } | Self::RefinedDelaunay { .. } | Self::Imported => "refined",
             Self::Delaunay { .. } => "delaunay",
             Self::Graded { .. } => "graded",
             Self::Degenerate(_) => "degenerate",
@@ -105,19 +108,21 @@ impl Family {
     /// Whether, on bodies with straight sides, levels are refinements of the coarsest mesh, so that coarse fields can be
     /// prolonged.
     pub fn is_nested(&self) -> bool {
-        matches!(self, Self::Structured | Self::CrissCross | Self::Refined { .. } | Self::RefinedDelaunay { .. })
+        matches!(self, Self::Structured | Self::CrissCross) || self.is_refined()
     }
 
     /// Whether every level is a refinement of the coarsest mesh, on curved bodies too.
     pub fn is_refined(&self) -> bool {
-        matches!(self, Self::Refined { .. } | Self::RefinedDelaunay { .. })
+        matches!(self, Self::Refined { .. } | Self::RefinedDelaunay { .. } | Self::Imported)
     }
 
     /// How the cells of a fresh mesh are cut.
     fn pattern(&self) -> Pattern {
         match self {
             Self::Structured | Self::Perturbed { .. } | Self::Refined { .. } => Pattern::Structured,
-            Self::RefinedDelaunay { .. } | Self::Delaunay { .. } | Self::Graded { .. } => Pattern::Structured,
+            Self::RefinedDelaunay { .. } | Self::Delaunay { .. } | Self::Graded { .. } | Self::Imported => {
+                Pattern::Structured
+            }
             Self::CrissCross => Pattern::CrissCross,
             Self::UnionJack => Pattern::UnionJack,
             Self::Degenerate(d) => d.pattern(),

@@ -50,7 +50,7 @@ fn shape(name: &str, blocks: &[[[f64; 2]; 4]]) -> Shape {
         curves: Default::default(),
         grading: [1.0, 1.0],
     };
-    Shape { name: name.into(), blocks: blocks.iter().map(block).collect() }
+    Shape { name: name.into(), blocks: blocks.iter().map(block).collect(), imported: None }
 }
 
 fn part(body: Body, name: &str, along: &[[f64; 2]]) -> PartOutline {

@@ -39,20 +39,35 @@ fn part(
     curves: &Curves,
     parameters: &BTreeMap<String, f64>,
 ) -> Result<Part, Fault> {
-    let word = raw.body.get_ref();
-    let Some(body) = Body::BOTH.into_iter().find(|b| shapes[b.index()].name == *word) else {
-        let names = shapes.each_ref().map(|s| s.name.as_str());
-        return refuse(raw.body.span(), format!("there is no body `{word}`"), suggestion(word, &names));
+    let body = body_of(&raw.body, shapes.each_ref().map(|s| s.name.as_str()))?;
+    if let Some(physical) = &raw.physical {
+        return refuse(physical.span(), NO_MESH, "give the path `along` that the part covers, or add [mesh]");
+    }
+    let Some(along) = &raw.along else {
+        let message = format!("boundary `{}` does not say where it is", raw.name.get_ref());
+        return refuse(raw.name.span(), message, "add `along = [[x, y], [x, y]]`");
     };
     Ok(Part {
         body,
         name: raw.name.get_ref().clone(),
-        along: path(&raw.along, &raw.curves, curves, &[&shapes[body.index()]])?,
+        along: path(along, &raw.curves, curves, &[&shapes[body.index()]])?,
         condition: condition(raw, parameters)?,
     })
 }
 
-fn condition(raw: &RawBoundary, parameters: &BTreeMap<String, f64>) -> Result<PartCondition, Fault> {
+/// The body of this name.
+pub fn body_of(word: &Spanned<String>, names: [&str; 2]) -> Result<Body, Fault> {
+    let found = Body::BOTH.into_iter().find(|b| names[b.index()] == word.get_ref());
+    found.ok_or_else(|| {
+        let message = format!("there is no body `{}`", word.get_ref());
+        Fault::new(word.span(), message, suggestion(word.get_ref(), &names))
+    })
+}
+
+const NO_MESH: &str = "a physical curve, and there is no [mesh] whose file would have it";
+
+/// The condition of a part.
+pub fn condition(raw: &RawBoundary, parameters: &BTreeMap<String, f64>) -> Result<PartCondition, Fault> {
     let name = *raw.condition.get_ref();
     // A displacement has one value at a corner, where the normal has two: it may not depend on the normal.
     let variables: &[&str] = if name == ConditionName::Fixed { &INSIDE } else { &BOUNDARY };
@@ -76,6 +91,9 @@ pub fn contact(
     curves: &Curves,
     place: Range<usize>,
 ) -> Result<ContactLine, Fault> {
+    if let Some(physical) = &raw.physical {
+        return refuse(physical.span(), NO_MESH, "give the path `along` of the zone, or add [mesh]");
+    }
     match (&raw.along, &raw.gap) {
         (Some(along), None) => {
             if let Some(d) = &raw.direction {

@@ -5,10 +5,11 @@
 
 use super::layer::Layer;
 use super::number::Finite;
-use super::raw::{RawBoundary, RawExact, RawField, RawPoint, RawTraces};
+use super::raw::{RawBoundary, RawExact, RawField, RawMesh, RawPoint, RawTraces};
 use crate::claim::Claim;
 use crate::study::{Block, Case, Scene, Subject};
 use signorini_contact::mesh::blocks::EVEN;
+use signorini_contact::mesh::fnv1a;
 use signorini_contact::solver::{Accuracy, Settings};
 use signorini_contact::{Material, Point};
 use std::fmt::Write;
@@ -63,8 +64,13 @@ fn solver(settings: &Settings) -> String {
 
 fn contact(lines: &mut Lines, scene: &Scene, layer: &Layer<'_>) {
     bodies(lines, scene, layer);
+    if let Some(mesh) = layer.mesh {
+        imported(lines, scene, layer, mesh);
+    }
     for (raw, part) in layer.boundary.unwrap_or_default().iter().zip(&scene.parts) {
-        lines.put("part", format!("{:?} {} {}", part.body, part.along.describe(), condition(raw)));
+        if layer.mesh.is_none() {
+            lines.put("part", format!("{:?} {} {}", part.body, part.along.describe(), condition(raw)));
+        }
     }
     lines.put("contact", scene.contact.describe());
     if !scene.bilateral.is_empty() {
@@ -92,6 +98,23 @@ fn contact(lines: &mut Lines, scene: &Scene, layer: &Layer<'_>) {
             lines.put("traces", traces(given.get_ref()));
         }
         lines.put("exact materials", format!("{} {}", law(&exact.materials[0]), law(&exact.materials[1])));
+    }
+}
+
+/// The file by its hash, what is taken from it by name, and the paths that came of it.
+fn imported(lines: &mut Lines, scene: &Scene, layer: &Layer<'_>, mesh: &RawMesh) {
+    lines.put("mesh file", format!("{:016x}", fnv1a(&mesh.content)));
+    for body in layer.body.unwrap_or_default() {
+        lines.put("physical surface", format!("{:?}", body.get_ref().physical.as_ref().map(Spanned::get_ref)));
+    }
+    for raw in layer.boundary.unwrap_or_default() {
+        let physical = raw.physical.as_ref().map(Spanned::get_ref);
+        let name = raw.body.get_ref();
+        let body = scene.bodies.iter().position(|b| b.name == *name);
+        lines.put("physical curve", format!("{body:?} {physical:?} {}", condition(raw)));
+    }
+    for part in &scene.parts {
+        lines.put("part", format!("{:?} {}", part.body, part.along.describe()));
     }
 }
 

@@ -3,7 +3,7 @@
 use super::number::Finite;
 use super::raw::{
     Expect, RawBody, RawBoundary, RawCase, RawContact, RawCurve, RawDiscretisation, RawExact, RawExpected, RawFamily,
-    RawFormula, RawGates, RawLemma, RawLevels, RawReference, RawSlide, RawSolver, RawStudy,
+    RawFormula, RawGates, RawLemma, RawLevels, RawMesh, RawReference, RawSlide, RawSolver, RawStudy,
 };
 use super::splitting::RawSplitting;
 use std::collections::BTreeMap;
@@ -14,6 +14,7 @@ pub struct Layer<'a> {
     pub expect: Option<Expect>,
     pub inconclusive_at_quick: Option<&'a String>,
     pub parameters: BTreeMap<String, f64>,
+    pub mesh: Option<&'a RawMesh>,
     pub body: Option<&'a [Spanned<RawBody>]>,
     pub boundary: Option<&'a [RawBoundary]>,
     pub contact: Option<&'a RawContact>,
@@ -39,6 +40,7 @@ macro_rules! layer_of {
             expect: $raw.expect,
             inconclusive_at_quick: $raw.inconclusive_at_quick.as_ref(),
             parameters: numbers($raw.parameters.as_ref()),
+            mesh: $raw.mesh.as_ref(),
             body: $raw.body.as_deref(),
             boundary: $raw.boundary.as_deref(),
             contact: $raw.contact.as_ref(),
@@ -78,6 +80,7 @@ impl<'a> Layer<'a> {
             expect: self.expect.or(base.expect),
             inconclusive_at_quick: self.inconclusive_at_quick.or(base.inconclusive_at_quick),
             parameters,
+            mesh: self.mesh.or(base.mesh),
             body: self.body.or(base.body),
             boundary: self.boundary.or(base.boundary),
             contact: self.contact.or(base.contact),

@@ -51,6 +51,7 @@ pub fn nothing_else(layer: &Layer<'_>) -> Result<(), Fault> {
     let tables = [
         body,
         boundary,
+        layer.mesh.map(|m| ("[mesh]", m.file.span())),
         layer.contact.and_then(|c| c.span()).map(|span| ("[contact]", span)),
         layer.slide.map(|s| ("[slide]", s.span())),
         layer.curve.and_then(|c| c.first()).map(|c| ("[[curve]]", c.span())),

@@ -7,6 +7,7 @@
 //! ```
 
 use super::error::StudyError;
+use super::mesh_file::Files;
 use super::shipped::SHIPPED;
 use super::words::suggestion;
 use crate::change::Changes;
@@ -61,7 +62,7 @@ impl Source {
     /// As [`Study::load`].
     pub fn load(&self) -> Result<Study, StudyError> {
         match self.shipped {
-            Some(text) => Study::parse(text, &self.path),
+            Some(text) => Study::parse_with(text, &self.path, &Files::Shipped(self.group.folder())),
             None => Study::load(&self.path),
         }
     }

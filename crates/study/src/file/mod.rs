@@ -18,12 +18,14 @@ mod expected;
 mod field;
 mod fixed;
 mod formula;
+mod imported;
 mod initial_gap;
 mod judge;
 mod layer;
 mod lemma;
 pub mod library;
 mod material;
+mod mesh_file;
 mod number;
 mod parse;
 mod plan;
@@ -42,6 +44,7 @@ pub use error::{Position, StudyError};
 pub use library::{Group, Library, LibraryError, Source, find_studies};
 
 use crate::study::{Case, Study};
+use mesh_file::Files;
 use signorini_contact::mesh::fnv1a;
 use std::path::Path;
 
@@ -54,12 +57,22 @@ impl Study {
         Self::parse(&text(path)?, path)
     }
 
-    /// Resolves the text of a study file. `path` is named in messages, and its stem must be the study's id.
+    /// Resolves the text of a study file. `path` is named in messages, and its stem must be the study's id; mesh files are
+    /// looked for in its folder.
     ///
     /// # Errors
     /// As [`Study::load`].
     pub fn parse(text: &str, path: &Path) -> Result<Self, StudyError> {
-        parse::tables(text).and_then(|raw| resolve::study(&raw, path)).map_err(|fault| fault.locate(path, text))
+        Self::parse_with(text, path, &Files::Beside(path))
+    }
+
+    /// Resolves the text of a study file whose mesh files are in `files`.
+    fn parse_with(text: &str, path: &Path, files: &Files<'_>) -> Result<Self, StudyError> {
+        let resolved = parse::tables(text).and_then(|mut raw| {
+            mesh_file::attach(&mut raw, files)?;
+            resolve::study(&raw, path)
+        });
+        resolved.map_err(|fault| fault.locate(path, text))
     }
 }
 

@@ -9,6 +9,7 @@ use super::splitting::RawSplitting;
 use crate::record::ClaimKind;
 use serde::Deserialize;
 use std::collections::BTreeMap;
+use std::sync::Arc;
 use toml::Spanned;
 
 /// Two coordinates.
@@ -29,6 +30,7 @@ pub struct RawStudy {
     pub expect: Option<Expect>,
     pub inconclusive_at_quick: Option<String>,
     pub parameters: Option<BTreeMap<String, Finite>>,
+    pub mesh: Option<RawMesh>,
     pub body: Option<Vec<Spanned<RawBody>>>,
     pub boundary: Option<Vec<RawBoundary>>,
     pub contact: Option<RawContact>,
@@ -56,6 +58,7 @@ pub struct RawCase {
     pub expect: Option<Expect>,
     pub inconclusive_at_quick: Option<String>,
     pub parameters: Option<BTreeMap<String, Finite>>,
+    pub mesh: Option<RawMesh>,
     pub body: Option<Vec<Spanned<RawBody>>>,
     pub boundary: Option<Vec<RawBoundary>>,
     pub contact: Option<RawContact>,
@@ -72,6 +75,15 @@ pub struct RawCase {
     pub splitting: Option<Spanned<RawSplitting>>,
     pub gates: Option<Spanned<RawGates>>,
     pub expected: Option<Spanned<RawExpected>>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawMesh {
+    pub file: Spanned<String>,
+    /// What the file holds, filled in after parsing.
+    #[serde(skip)]
+    pub content: Arc<[u8]>,
 }
 
 #[derive(Clone, Copy, Deserialize)]
@@ -105,6 +117,7 @@ pub struct RawBody {
     pub rectangle: Option<Spanned<Fixed<RawPoint, 2>>>,
     pub divisions: Option<Spanned<Fixed<usize, 2>>>,
     pub blocks: Option<Spanned<Vec<RawBlock>>>,
+    pub physical: Option<Spanned<String>>,
     pub force: Option<RawField>,
 }
 
@@ -148,7 +161,8 @@ pub enum PlaneName {
 pub struct RawBoundary {
     pub body: Spanned<String>,
     pub name: Spanned<String>,
-    pub along: Spanned<Vec<RawPoint>>,
+    pub along: Option<Spanned<Vec<RawPoint>>>,
+    pub physical: Option<Spanned<String>>,
     #[serde(default)]
     pub curves: Vec<Spanned<String>>,
     pub condition: Spanned<ConditionName>,
@@ -171,6 +185,7 @@ pub struct RawContact {
     #[serde(default)]
     pub curves: Vec<Spanned<String>>,
     pub gap: Option<Spanned<Fixed<Spanned<String>, 2>>>,
+    pub physical: Option<Spanned<Vec<Fixed<Spanned<String>, 2>>>>,
     pub direction: Option<Spanned<RawPoint>>,
     pub initial_gap: Option<Spanned<String>>,
     #[serde(default)]
@@ -182,7 +197,8 @@ pub struct RawContact {
 impl RawContact {
     /// Where the zone is said to be.
     pub fn span(&self) -> Option<std::ops::Range<usize>> {
-        self.along.as_ref().map(Spanned::span).or(self.gap.as_ref().map(Spanned::span))
+        let along = self.along.as_ref().map(Spanned::span);
+        along.or(self.gap.as_ref().map(Spanned::span)).or(self.physical.as_ref().map(Spanned::span))
     }
 }
 

@@ -4,11 +4,12 @@ use super::canonical;
 use super::curve::Curves;
 use super::error::{Fault, refuse};
 use super::field::{INSIDE, vector_field};
+use super::imported::Geometry;
 use super::layer::Layer;
 use super::raw::{Expect, RawBody, RawStudy};
 use super::{
-    bilateral, boundary, discretisation, exact, formula, initial_gap, judge, lemma, material, plan, shape, slide,
-    splitting, words,
+    bilateral, boundary, discretisation, exact, formula, imported, initial_gap, judge, lemma, material, plan, shape,
+    slide, splitting, words,
 };
 use crate::claim::Claim;
 use crate::lemma::Lemma;
@@ -71,7 +72,13 @@ fn case(name: &Spanned<String>, layer: Layer<'_>, claim: &Claim) -> Result<Case,
         Subject::Contact(_) => None,
     };
     judge::is_measured(claim, &subject, place.clone())?;
-    let family = plan::family(layer.family)?;
+    let family = match (layer.mesh, &subject) {
+        (Some(_), Subject::Contact(_)) => {
+            imported::check_levels(layer.levels, layer.reference, place.clone())?;
+            imported::family(layer.family)?
+        }
+        _ => plan::family(layer.family)?,
+    };
     let reference = match &subject {
         Subject::Contact(scene) => plan::reference(layer.reference, scene.exact.is_some(), place.clone())?,
         // A function is known exactly; a constant is measured against nothing.
@@ -157,6 +164,9 @@ fn notes(layer: &Layer<'_>, subject: &Subject, reference: &ReferencePlan, is_loc
                 .into(),
         );
     }
+    if let Subject::Contact(scene) = subject {
+        notes.extend(scene.bodies.iter().filter_map(|b| b.imported.as_ref()).flat_map(|i| i.notes.clone()));
+    }
     let gates = layer.gates.and_then(|g| g.get_ref().reason.as_ref()).map(|r| format!("gates: {r}"));
     let expected = layer.expected.and_then(|e| e.get_ref().reason.as_ref()).map(|r| format!("expected rate: {r}"));
     notes.extend(gates.into_iter().chain(expected));
@@ -179,21 +189,29 @@ fn scene(layer: &Layer<'_>, place: &Range<usize>, control: bool) -> Result<Scene
     }
     let p = &layer.parameters;
     let curves = Curves::read(layer.curve.unwrap_or_default(), p)?;
-    let bodies = [shape::shape(first, &curves)?, shape::shape(second, &curves)?];
     let materials = [material::material(&a.material)?, material::material(&b.material)?];
-    let Some(contact) = layer.contact else {
+    let Some(raw_contact) = layer.contact else {
         let message = "no [contact]: the two bodies never meet";
         return refuse(place.clone(), message, "add [contact] with `along = [[x, y], …]`, the first body on its left");
     };
     let force = |body: &RawBody| body.force.as_ref().map(|f| vector_field(f, &INSIDE, p)).transpose();
-    let symmetric = contact.symmetric;
-    let raw_contact = contact;
-    let line = boundary::contact(contact, &bodies, &curves, place.clone())?;
-    let (contact, bilateral) = bilateral::split(line, &contact.bilateral)?;
+    let Geometry { bodies, parts, contact: line } = match layer.mesh {
+        Some(mesh) => imported::geometry(mesh, layer, &curves, place.clone())?,
+        None => {
+            let bodies = [shape::shape(first, &curves)?, shape::shape(second, &curves)?];
+            let contact = boundary::contact(raw_contact, &bodies, &curves, place.clone())?;
+            Geometry {
+                parts: boundary::parts(layer.boundary.unwrap_or_default(), &bodies, &curves, p)?,
+                contact,
+                bodies,
+            }
+        }
+    };
+    let (contact, bilateral) = bilateral::split(line, &raw_contact.bilateral)?;
     Ok(Scene {
         formula: layer.formula.map(|f| formula::formula(f, &contact, p)).transpose()?,
-        symmetric,
-        parts: boundary::parts(layer.boundary.unwrap_or_default(), &bodies, &curves, p)?,
+        symmetric: raw_contact.symmetric,
+        parts,
         discretisation: discretisation::discretisation(layer.discretisation, &contact)?,
         initial_gap: initial_gap::initial_gap(raw_contact, &contact, layer.exact.map(Spanned::get_ref), p)?,
         contact,

@@ -23,6 +23,11 @@ pub fn point(p: &RawPoint) -> Point {
 /// The shape of a body given by a rectangle or by blocks.
 pub fn shape(raw: &Spanned<RawBody>, curves: &Curves) -> Result<Shape, Fault> {
     let body = raw.get_ref();
+    if let Some(physical) = &body.physical {
+        let message =
+            format!("body `{}` is said to be a physical surface, and there is no [mesh]", body.name.get_ref());
+        return refuse(physical.span(), message, "add [mesh] with `file = \"….msh\"`, or give `rectangle` or `blocks`");
+    }
     let blocks = match (&body.rectangle, &body.blocks) {
         (Some(rectangle), None) => vec![rectangle_block(rectangle, body.divisions.as_ref())?],
         (None, Some(blocks)) => {
@@ -37,7 +42,7 @@ pub fn shape(raw: &Spanned<RawBody>, curves: &Curves) -> Result<Shape, Fault> {
             return refuse(body.name.span(), message, "give exactly one of the two");
         }
     };
-    Ok(Shape { name: body.name.get_ref().clone(), blocks })
+    Ok(Shape { name: body.name.get_ref().clone(), blocks, imported: None })
 }
 
 fn rectangle_block(
@@ -145,8 +150,12 @@ pub fn path(
 
 /// Refuses a point that lies on no side of the body.
 pub fn on_sides(points: &[Point], shape: &Shape, span: Range<usize>) -> Result<(), Fault> {
-    let size = shape.blocks.iter().map(|b| (b.corners[2] - b.corners[0]).norm()).fold(0.0, f64::max);
-    let off = |p: &Point| shape.blocks.iter().flat_map(sides).all(|s| s.distance(*p) > 1e-9 * size);
+    let boundary = shape.imported.iter().flat_map(|i| i.boundary.clone());
+    let pieces: Vec<Piece> = shape.blocks.iter().flat_map(sides).chain(boundary).collect();
+    let reach = |p: &Piece| (p.point(1.0) - p.point(0.0)).norm();
+    let size = shape.blocks.iter().map(|b| (b.corners[2] - b.corners[0]).norm()).chain(pieces.iter().map(reach));
+    let tolerance = 1e-9 * size.fold(0.0, f64::max);
+    let off = |p: &Point| pieces.iter().all(|s| s.distance(*p) > tolerance);
     match points.iter().find(|p| off(p)) {
         None => Ok(()),
         Some(p) => {

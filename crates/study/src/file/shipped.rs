@@ -25,6 +25,7 @@ shipped! {
         "bent-strong-regularity"
         "contact-sets"
         "corner-patch"
+        "dovetail"
         "hertz"
         "lemma-1-1"
         "lemma-2-1"
@@ -36,6 +37,7 @@ shipped! {
         "lemma-3-5"
         "lemma-3-6"
         "many-switches"
+        "pin-imported"
         "pin-in-hole"
         "remark-1-1"
         "remark-1-3"
@@ -89,4 +91,17 @@ shipped! {
         "too-few-levels"
         "wrong-mu"
     ;
+}
+
+macro_rules! meshes {
+    ($($path:literal)*) => {
+        /// The mesh files that shipped studies name, by their path from `studies/`.
+        pub(super) const MESHES: &[(&str, &[u8])] =
+            &[$(($path, include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../studies/", $path))),)*];
+    };
+}
+
+meshes! {
+    "meshes/dovetail.msh"
+    "meshes/pin.msh"
 }

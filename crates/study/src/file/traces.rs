@@ -39,7 +39,8 @@ pub fn traces(
 /// Twice the diagonal of the box around the corners of both bodies: farther than any two points of a body are apart, also
 /// where a side bulges out of the box.
 pub fn reach(bodies: &[Shape; 2]) -> f64 {
-    let corners = || bodies.iter().flat_map(|s| &s.blocks).flat_map(|b| b.corners);
+    let nodes = || bodies.iter().filter_map(|s| s.imported.as_ref()).flat_map(|i| i.mesh.points.iter().copied());
+    let corners = || bodies.iter().flat_map(|s| &s.blocks).flat_map(|b| b.corners).chain(nodes());
     let start = Point::repeat(f64::INFINITY);
     let low = corners().fold(start, |low, p| low.inf(&p));
     let high = corners().fold(-start, |high, p| high.sup(&p));

@@ -1,16 +1,18 @@
 //! Meshes in the format of Gmsh, version 4.1.
 //!
+//! [`Msh::read`] takes a file, text or binary, as it stands.
 //! [`write()`] puts any mesh of a study into the text form, with its bodies, boundary parts and contact faces as physical groups.
 //! The format: C. Geuzaine, J.-F. Remacle, *Gmsh reference manual*, section “MSH file format”.
 
+pub mod body;
+pub mod chain;
+mod cursor;
+mod error;
+mod kind;
+mod read;
 mod write;
+pub mod zone;
 
+pub use error::{MshError, Place};
+pub use read::{Element, Msh};
 pub use write::write;
-
-/// The numbers of Gmsh for the elements that appear here.
-pub(crate) mod kind {
-    /// Line with 2 nodes.
-    pub const LINE: u64 = 1;
-    /// Triangle with 3 nodes.
-    pub const TRIANGLE: u64 = 2;
-}
