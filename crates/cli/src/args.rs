@@ -2,6 +2,7 @@
 
 use crate::change::ChangeArgs;
 use crate::fields::FieldsArg;
+use crate::solver::SolverArgs;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
@@ -68,9 +69,9 @@ pub struct RunArgs {
     /// Where records, tables and plots go.
     #[arg(long, value_name = "DIR", default_value = "reports")]
     pub out: PathBuf,
-    /// Solve with this method instead of the study's own.
-    #[arg(long, value_enum, value_name = "NAME")]
-    pub solver: Option<SolverArg>,
+    /// The solver, in place of the study's own.
+    #[command(flatten)]
+    pub solver: SolverArgs,
     /// Threads; all processors by default. Results do not depend on it.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     pub threads: Option<u16>,

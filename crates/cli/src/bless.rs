@@ -5,6 +5,7 @@ use crate::change::load_changed;
 use crate::failure::Failure;
 use crate::run::{execute, reference_folder};
 use signorini_study::change::Changes;
+use signorini_study::run::Solver;
 use signorini_study::store::Baseline;
 use std::path::PathBuf;
 
@@ -16,6 +17,10 @@ pub fn bless(args: &RunArgs) -> Result<u8, Failure> {
     if !args.change.changes()?.is_none() {
         let hint = "leave --set and --sweep out, or write the changed study into a file and bless that";
         return Err(Failure::new("a baseline is that of a study as its file has it", hint));
+    }
+    if let Some(Solver::External(external)) = args.solver.solver(&args.out)? {
+        let what = format!("a baseline is what this program computes, not what {} does", external.name);
+        return Err(Failure::new(what, "leave --solver out, or name one of this program's own"));
     }
     let studies = load_changed(&args.studies, &Changes::default())?;
     let folder = reference_folder().unwrap_or_else(|| PathBuf::from("reference"));

@@ -16,6 +16,7 @@ mod list;
 mod progress;
 mod report;
 mod run;
+mod solver;
 
 use args::{Cli, Command};
 use clap::Parser;

@@ -42,7 +42,7 @@ pub fn library() -> Result<Library, Failure> {
 /// the studies, and what drifted from the baselines.
 pub fn execute(args: &RunArgs, studies: &[Study]) -> Result<(Vec<Vec<CaseRun>>, Vec<String>), Failure> {
     use_threads(args.threads)?;
-    let settings = settings(args);
+    let settings = settings(args)?;
     let progress = Progress::new(studies.iter().map(|s| run::work(s, &settings)).sum(), args.quiet);
     let results = run::each_case(studies, &settings, |study, case| {
         let run = run::run_case(study, case, &settings, &progress);
@@ -71,14 +71,14 @@ pub fn use_threads(threads: Option<u16>) -> Result<(), Failure> {
     built.map_err(|e| Failure::new(format!("no pool of {threads} threads: {e}"), "leave --threads out"))
 }
 
-fn settings(args: &RunArgs) -> RunSettings {
-    RunSettings {
+fn settings(args: &RunArgs) -> Result<RunSettings, Failure> {
+    Ok(RunSettings {
         profile: profile(args.profile),
         levels: args.levels.map(usize::from),
-        solver: args.solver.map(method),
+        solver: args.solver.solver(&args.out)?,
         partial: Some(args.out.join(".partial")),
         keep: args.fields.keep(),
-    }
+    })
 }
 
 /// The solver that a word of the command line means.

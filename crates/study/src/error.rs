@@ -1,5 +1,6 @@
 //! Why a study could not be run.
 
+use crate::external::ExternalError;
 use crate::study::{Case, Study};
 
 /// Meaningless input or a file that cannot be used; a solve that ended badly is part of the record instead.
@@ -19,6 +20,9 @@ pub enum RunError {
         /// What is wrong with it.
         source: Box<Self>,
     },
+    /// Another program that was to solve a level has not.
+    #[error("{0}")]
+    External(String),
     /// No reference solution.
     #[error("reference: {0}")]
     Reference(String),
@@ -47,6 +51,15 @@ impl RunError {
         match self {
             Self::InCase { source, .. } => source.is_of_files(),
             other => matches!(other, Self::Store(_)),
+        }
+    }
+}
+
+impl From<ExternalError> for RunError {
+    fn from(e: ExternalError) -> Self {
+        match e {
+            ExternalError::Store(e) => Self::Store(e),
+            refused => Self::External(refused.to_string()),
         }
     }
 }

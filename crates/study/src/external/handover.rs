@@ -19,10 +19,6 @@ use std::path::Path;
 
 /// Everything that another program needs to solve a level.
 pub struct Handover<'a> {
-    /// Study id.
-    pub study: &'a str,
-    /// Case.
-    pub case: &'a str,
     /// Level, 0 the coarsest.
     pub level: usize,
     /// Its cells.
@@ -95,8 +91,6 @@ impl Handover<'_> {
         };
         Problem {
             schema: SCHEMA,
-            study: self.study.into(),
-            case: self.case.into(),
             level: self.level,
             cells: self.cells,
             bodies: Which::BOTH.map(|which| self.body(which)),

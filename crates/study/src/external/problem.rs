@@ -10,10 +10,6 @@ pub const SCHEMA: u32 = 1;
 pub struct Problem {
     /// [`SCHEMA`].
     pub schema: u32,
-    /// Study id.
-    pub study: String,
-    /// Case.
-    pub case: String,
     /// Level, 0 the coarsest.
     pub level: usize,
     /// Cells of the level.

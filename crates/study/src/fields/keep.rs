@@ -35,7 +35,9 @@ impl Keep {
 
     /// What is kept in the end of the fields that were collected, coarsest first.
     pub fn finally(&self, mut collected: Vec<Fields>) -> Vec<Fields> {
-        if *self == Self::Page && let Some(page) = page(&collected) {
+        if *self == Self::Page
+            && let Some(page) = page(&collected)
+        {
             let page = collected.swap_remove(page);
             return vec![page];
         }

@@ -30,6 +30,7 @@ mod zone_ledger;
 
 use crate::error::RunError;
 use crate::exact::verify;
+use crate::external::External;
 use crate::extrapolation;
 use crate::fields::{Fields, Keep};
 use crate::lemma::Lemma;
@@ -49,7 +50,6 @@ use rayon::prelude::*;
 pub use refusal::check_refusal;
 pub use signorini_contact::solver::Method;
 use signorini_contact::solver::Settings;
-use signorini_contact::zone::Zone;
 use std::cmp::Reverse;
 use std::path::PathBuf;
 use std::sync::OnceLock;
@@ -71,12 +71,28 @@ pub struct RunSettings {
     pub profile: Profile,
     /// This many levels from the coarsest, instead of the profile's own number.
     pub levels: Option<usize>,
-    /// A method in place of the study's own, with the study's other settings.
-    pub solver: Option<Method>,
+    /// A solver in place of the study's own, with the study's other settings.
+    pub solver: Option<Solver>,
     /// Where unfinished cases keep their finished levels; nothing is kept without it.
     pub partial: Option<PathBuf>,
     /// Which levels keep their fields.
     pub keep: Keep,
+}
+
+/// Who solves the levels. References are always solved here.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Solver {
+    /// A method of this program.
+    Own(Method),
+    /// Another program.
+    External(External),
+}
+
+impl Solver {
+    /// The method, if it is one of this program.
+    pub fn own(&self) -> Option<Method> {
+        if let Self::Own(method) = self { Some(*method) } else { None }
+    }
 }
 
 /// Who is told how far a run has come.
@@ -204,8 +220,18 @@ fn run_contact(
     verify_exact(case, scene)?;
     slide::verify(scene, &study.claim.norm)?;
     let cells = cells_of(case, settings);
-    let task = Task { case, scene, cells, settings: solver_settings(case, settings), constrain: Zone::new, keep: settings.keep.clone() };
-    let partial = Partial::open(study, case, settings, &task)?;
+    let external = match &settings.solver {
+        Some(Solver::External(external)) => Some(external.for_case(&study.id, &case.name)),
+        _ => None,
+    };
+    let task = Task {
+        keep: settings.keep.clone(),
+        external,
+        ..Task::new(case, scene, cells, solver_settings(case, settings))
+    };
+    // what another program answers may have changed with the program
+    let keeps = task.external.is_none();
+    let partial = if keeps { Partial::open(study, case, settings, &task)? } else { Partial::none() };
     let overkill = solve_reference(&task, settings)?;
     if overkill.is_some() {
         watch.level_done(&study.id, &case.name, cells.len());
@@ -242,7 +268,7 @@ fn cells_of<'a>(case: &'a Case, settings: &RunSettings) -> &'a [usize] {
 
 /// The study's solver settings, with the run's method if it names one.
 fn solver_settings(case: &Case, settings: &RunSettings) -> Settings {
-    Settings { method: settings.solver.unwrap_or(case.solver.method), ..case.solver }
+    Settings { method: settings.solver.as_ref().and_then(Solver::own).unwrap_or(case.solver.method), ..case.solver }
 }
 
 /// Pointwise verification of the exact solution, before any mesh. A solution built for other materials is a planted
