@@ -28,7 +28,8 @@ fn coarse_studies() -> Vec<Study> {
 }
 
 fn run(study: &Study, solver: Option<Method>) -> Vec<StudyRecord> {
-    let settings = RunSettings { profile: Profile::Quick, levels: None, solver, partial: None, keep: Default::default() };
+    let settings =
+        RunSettings { profile: Profile::Quick, levels: None, solver, partial: None, keep: Default::default() };
     let one = |case| run_case(study, case, &settings, &Unwatched).expect("a run").record;
     study.cases.par_iter().map(one).collect()
 }

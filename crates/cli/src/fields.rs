@@ -27,7 +27,8 @@ impl FieldsArg {
 
 fn keep(text: &str) -> Result<Keep, String> {
     let number = |word: &str| {
-        let hint = format!("`{word}` is neither none, all, last nor a level's number; levels count from 0, e.g. --fields 0,3");
+        let hint =
+            format!("`{word}` is neither none, all, last nor a level's number; levels count from 0, e.g. --fields 0,3");
         word.trim().parse().map_err(|_| hint)
     };
     match text {

@@ -42,7 +42,8 @@ impl Material {
     /// Isotropic, by `λ` and `μ` of plane strain.
     pub fn lame(lambda: f64, mu: f64) -> Result<Self, Error> {
         let normal = lambda + 2.0 * mu;
-        let law = Self::checked([[normal, lambda, 0.0], [lambda, normal, 0.0], [0.0, 0.0, mu]], Some(Lame { lambda, mu }))?;
+        let law =
+            Self::checked([[normal, lambda, 0.0], [lambda, normal, 0.0], [0.0, 0.0, mu]], Some(Lame { lambda, mu }))?;
         // plane strain: ε_33 = 0 leaves τ_33 = λ (ε_11 + ε_22) = λ / 2(λ+μ) (τ_11 + τ_22)
         Ok(Self { across: [lambda / (2.0 * (lambda + mu)); 2], ..law })
     }

@@ -21,13 +21,6 @@ pub struct Array {
 impl Array {
     /// The rows of a list.
     pub fn new<T: Packed>(name: &'static str, list: &[T]) -> Self {
-        Self {
-            name,
-            rows: list.len(),
-            components: T::COMPONENTS,
-            numpy: T::NUMPY,
-            vtk: T::VTK,
-            bytes: bytes(list),
-        }
+        Self { name, rows: list.len(), components: T::COMPONENTS, numpy: T::NUMPY, vtk: T::VTK, bytes: bytes(list) }
     }
 }

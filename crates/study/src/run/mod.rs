@@ -204,7 +204,14 @@ fn run_contact(
     verify_exact(case, scene)?;
     slide::verify(scene, &study.claim.norm)?;
     let cells = cells_of(case, settings);
-    let task = Task { case, scene, cells, settings: solver_settings(case, settings), constrain: Zone::new, keep: settings.keep.clone() };
+    let task = Task {
+        case,
+        scene,
+        cells,
+        settings: solver_settings(case, settings),
+        constrain: Zone::new,
+        keep: settings.keep.clone(),
+    };
     let partial = Partial::open(study, case, settings, &task)?;
     let overkill = solve_reference(&task, settings)?;
     if overkill.is_some() {

@@ -119,9 +119,17 @@ mod tests {
         let study = sample::study("theorem-3-1-smooth");
         let case = &study.cases[0];
         let partial = Some(root.0.clone());
-        let settings = RunSettings { profile: Profile::Quick, levels: None, solver: None, partial, keep: Default::default() };
+        let settings =
+            RunSettings { profile: Profile::Quick, levels: None, solver: None, partial, keep: Default::default() };
         let scene = case.scene().unwrap();
-        let task = Task { case, scene, cells, settings: case.solver, constrain: signorini_contact::zone::Zone::new, keep: settings.keep.clone() };
+        let task = Task {
+            case,
+            scene,
+            cells,
+            settings: case.solver,
+            constrain: signorini_contact::zone::Zone::new,
+            keep: settings.keep.clone(),
+        };
         Partial::open(&study, case, &settings, &task).unwrap()
     }
 

@@ -22,7 +22,14 @@ fn graph() -> Case {
 }
 
 fn task<'a>(case: &'a Case, cells: &'a [usize]) -> Task<'a> {
-    Task { case, scene: case.scene().unwrap(), cells, settings: case.solver, constrain: Zone::new, keep: Default::default() }
+    Task {
+        case,
+        scene: case.scene().unwrap(),
+        cells,
+        settings: case.solver,
+        constrain: Zone::new,
+        keep: Default::default(),
+    }
 }
 
 /// Every level against both references.
@@ -106,7 +113,8 @@ fn errors_across_a_gap_are_the_exact_ones_up_to_the_reference_s_own() {
 fn a_run_leaves_out_the_levels_that_come_too_near_to_the_reference() {
     let study = Study::parse(include_str!("arc.toml"), Path::new("arc.toml")).unwrap();
     let case = study.cases.iter().find(|c| c.name == "refined").unwrap();
-    let settings = RunSettings { profile: Profile::Quick, levels: None, solver: None, partial: None, keep: Default::default() };
+    let settings =
+        RunSettings { profile: Profile::Quick, levels: None, solver: None, partial: None, keep: Default::default() };
     let record = run_case(&study, case, &settings, &Unwatched).unwrap().record;
     assert!(record.notes.iter().any(|n| n.contains("by point location")), "{:?}", record.notes);
     let excluded: Vec<bool> = record.levels.iter().map(|l| l.excluded.is_some()).collect();

@@ -7,7 +7,14 @@ use signorini_contact::zone::Zone;
 const CELLS: [usize; 2] = [4, 8];
 
 fn task(case: &Case) -> Task<'_> {
-    Task { case, scene: case.scene().unwrap(), cells: &CELLS, settings: case.solver, constrain: Zone::new, keep: Default::default() }
+    Task {
+        case,
+        scene: case.scene().unwrap(),
+        cells: &CELLS,
+        settings: case.solver,
+        constrain: Zone::new,
+        keep: Default::default(),
+    }
 }
 
 /// Zero in the nodes of `Γ_u`, anything elsewhere.
@@ -61,8 +68,14 @@ fn errors_against_both_references_differ_by_that_of_the_discrete_one() {
     let case = sample::case("theorem-3-1-smooth", "structured-overkill");
     let exact = case.scene().unwrap().exact.as_ref().unwrap();
     let cells = [4, 32];
-    let task =
-        Task { case: &case, scene: case.scene().unwrap(), cells: &cells, settings: case.solver, constrain: Zone::new, keep: Default::default() };
+    let task = Task {
+        case: &case,
+        scene: case.scene().unwrap(),
+        cells: &cells,
+        settings: case.solver,
+        constrain: Zone::new,
+        keep: Default::default(),
+    };
     let energy = |index| task.against_exact(exact, index).unwrap().0.errors.energy.unwrap();
     let (coarse, own) = (energy(0), energy(1));
     let short = Task {
