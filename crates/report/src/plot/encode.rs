@@ -7,7 +7,7 @@ use super::chart::Chart;
 use super::draw::{Drawn, draw};
 use super::panel_chart::PanelChart;
 use super::panel_draw;
-use super::vector::{DOTS, Vector};
+use super::vector::{DOTS, Vector, annotate};
 use super::zone_chart::ZoneChart;
 use super::zone_draw;
 use crate::error::ReportError;
@@ -99,11 +99,14 @@ pub fn zone_svg(chart: &ZoneChart) -> Result<String, ReportError> {
 
 fn vector(words: &str, paint: impl Fn(&Canvas<Vector>) -> Drawn) -> Result<String, ReportError> {
     let mut text = String::new();
+    let notes;
     {
         let canvas = Canvas::new(Vector::new(&mut text, (WIDTH, HEIGHT), words), f64::from(DOTS))?;
         paint(&canvas)?;
+        notes = canvas.notes();
         canvas.finish()?;
     }
+    annotate(&mut text, &notes);
     Ok(text)
 }
 
