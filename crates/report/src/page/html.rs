@@ -9,7 +9,7 @@ pub(super) fn html(markdown: &str, picture: impl Fn(&str) -> Option<String>) -> 
     for (event, range) in Parser::new_ext(markdown, Options::ENABLE_TABLES).into_offset_iter() {
         match event {
             // an underscore belongs to a formula
-            Event::Start(Tag::Emphasis) | Event::End(TagEnd::Emphasis) if markdown[range].starts_with('_') => {
+            Event::Start(Tag::Emphasis) | Event::End(TagEnd::Emphasis) if markdown[range.start..].starts_with('_') => {
                 events.push(Event::Text("_".into()));
             }
             // what stands for a picture in words is in the picture
