@@ -43,7 +43,7 @@ impl Scratch {
 
 impl Drop for Scratch {
     fn drop(&mut self) {
-        // HAND CHECK
+        let _ = std::fs::remove_dir_all(&self.0);
     }
 }
 
