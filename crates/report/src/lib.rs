@@ -70,8 +70,8 @@ pub fn render(record: &StudyRecord, dir: &Path) -> Result<Vec<PathBuf>, ReportEr
     render_with(record, &[], dir)
 }
 
-/// The same, and `mesh` and `deformed` as PNG and SVG of the level among `fields` that [`page_level`](signorini_study::fields::page_level) chooses; of the others
-/// `fields/level-<k>-mesh.png` and so on.
+/// The same, and `mesh` and `deformed` as PNG and SVG of the level among `fields` that
+/// [`page_level`](signorini_study::fields::page_level) chooses; levels that were asked for have their own in `fields/`.
 ///
 /// # Errors
 /// As [`render`].
