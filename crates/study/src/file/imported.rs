@@ -5,6 +5,7 @@ use super::curve::Curves;
 use super::error::{Fault, refuse};
 use super::layer::Layer;
 use super::raw::{FamilyName, RawBody, RawBoundary, RawFamily, RawLevels, RawMesh, RawReference, ReferenceName};
+use super::spanned::Spanned;
 use crate::family::Family;
 use crate::msh::body::{BodyMesh, lower_first};
 use crate::msh::chain::{along, rows, straight};
@@ -16,7 +17,6 @@ use signorini_contact::{Body, ContactLine};
 use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::Arc;
-use toml::Spanned;
 
 /// What a mesh file and the study's names for it make together.
 pub struct Geometry {
