@@ -11,6 +11,9 @@ use std::fmt;
 
 const OTHER_FOLDER: &str = "free the path, or name another folder with --out";
 
+const MEND_SOLVER: &str =
+    "run the command by hand in that folder; docs/own-solver.md says what it finds there and what it must leave";
+
 /// Bad input, or a file system that refuses.
 #[derive(Debug)]
 pub struct Failure {
@@ -29,6 +32,9 @@ impl Failure {
         let what = format!("{}: {error}", study.source.display());
         if error.is_of_files() {
             return Self::new(what, OTHER_FOLDER);
+        }
+        if error.is_of_external() {
+            return Self::new(what, MEND_SOLVER);
         }
         Self::new(
             what,

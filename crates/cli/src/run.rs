@@ -6,6 +6,7 @@ use crate::failure::Failure;
 use crate::progress::Progress;
 use serde::Serialize;
 use signorini_report::{CaseDrift, drift_text, summary_text};
+use signorini_study::fields::store::write_fields;
 use signorini_study::file::{Library, find_studies};
 use signorini_study::record::{StudyRecord, to_json};
 use signorini_study::run::timing::LevelTimes;
@@ -68,7 +69,7 @@ pub fn execute(args: &RunArgs, studies: &[Study]) -> Result<(Vec<Vec<CaseRun>>, 
     let results = run::each_case(studies, &settings, |study, case| {
         let run = run::run_case(study, case, &settings, &progress);
         let run = run.map_err(|e| Failure::of_run(study, &e.in_case(study, case)))?;
-        write_case(run, &args.out, &progress)
+        write_case(run, args, &progress)
     });
     progress.finish();
     run::tidy(&settings);
@@ -120,10 +121,12 @@ pub fn profile(arg: ProfileArg) -> Profile {
 }
 
 /// Writes the record, tables and plots of a case, with what drifted from its baseline.
-fn write_case(mut run: CaseRun, out: &Path, progress: &Progress) -> Result<(CaseRun, CaseDrift), Failure> {
+fn write_case(mut run: CaseRun, args: &RunArgs, progress: &Progress) -> Result<(CaseRun, CaseDrift), Failure> {
     let drift = drift(&mut run)?;
-    store::write_record(out, &run.record)?;
-    signorini_report::render(&run.record, &store::record_folder(out, &run.record)?)?;
+    store::write_record(&args.out, &run.record)?;
+    let folder = store::record_folder(&args.out, &run.record)?;
+    write_fields(&folder, &run.fields, args.fields.arrays())?;
+    signorini_report::render_with(&run.record, &run.fields, &folder)?;
     run.is_written();
     progress.case_done(&run.record);
     Ok((run, drift))

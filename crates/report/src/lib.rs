@@ -23,6 +23,7 @@
 
 pub mod annotations;
 pub mod bench;
+mod bodies;
 mod borderline;
 mod changed;
 pub mod corner;
@@ -56,6 +57,7 @@ pub use falsify::{falsify_markdown, falsify_text};
 pub use statements::statements_markdown;
 pub use summary::{summary_markdown, summary_text};
 
+use signorini_study::fields::Fields;
 use signorini_study::record::StudyRecord;
 use signorini_study::store::{remove_if_present, write_atomic, write_summary};
 use std::path::{Path, PathBuf};
@@ -69,6 +71,15 @@ use std::path::{Path, PathBuf};
 /// # Errors
 /// [`ReportError`] if a file cannot be written, a number is not finite, or a picture cannot be drawn.
 pub fn render(record: &StudyRecord, dir: &Path) -> Result<Vec<PathBuf>, ReportError> {
+    render_with(record, &[], dir)
+}
+
+/// The same, and `mesh` and `deformed` as PNG and SVG of the level among `fields` that [`page_level`](signorini_study::fields::page_level) chooses; of the others
+/// `fields/level-<k>-mesh.png` and so on.
+///
+/// # Errors
+/// As [`render`].
+pub fn render_with(record: &StudyRecord, fields: &[Fields], dir: &Path) -> Result<Vec<PathBuf>, ReportError> {
     let table = levels::all(record);
     let rates = plot::rates(record);
     let ledger = plot::ledger(record);
@@ -79,6 +90,7 @@ pub fn render(record: &StudyRecord, dir: &Path) -> Result<Vec<PathBuf>, ReportEr
         ledger: ledger.is_some(),
         parts: parts.is_some(),
         pressure: pressure.is_some(),
+        bodies: !fields.is_empty(),
     };
     let mut folder = Folder::new(dir);
     folder.write("report.md", markdown::page(record, pictures).as_bytes())?;
@@ -95,6 +107,7 @@ pub fn render(record: &StudyRecord, dir: &Path) -> Result<Vec<PathBuf>, ReportEr
     folder.write_or_remove("pressure.png", png.as_deref())?;
     let svg = pressure.as_ref().map(plot::zone_svg).transpose()?;
     folder.write_or_remove("pressure.svg", svg.as_deref().map(str::as_bytes))?;
+    bodies::write(&mut folder, record, fields)?;
     Ok(folder.written)
 }
 

@@ -27,6 +27,8 @@ pub struct Pictures {
     pub parts: bool,
     /// `pressure.png`.
     pub pressure: bool,
+    /// `mesh.png` and `deformed.png`.
+    pub bodies: bool,
 }
 
 /// `report.md` of one case.
@@ -36,7 +38,7 @@ pub fn page(record: &StudyRecord, pictures: Pictures) -> String {
         section("Changed", &changed::section(record)),
         section("Question", &record.question),
         claim(record),
-        set_up(record),
+        set_up(record, pictures.bodies),
         verdict_section(record),
         section("What would refute it", &record.refuted_by),
         errors(record, pictures.rates),
@@ -45,6 +47,7 @@ pub fn page(record: &StudyRecord, pictures: Pictures) -> String {
         table_section("Corners", &corner::table(record), &corners_legend(record)),
         table_section("Energies", &extrapolation::table(record), &energies_legend(record)),
         table_section("Contact", &levels::contact(record), CONTACT_LEGEND),
+        deformed(pictures.bodies),
         pressure(record, pictures.pressure),
         certificate(record),
         notes(record),
@@ -206,7 +209,7 @@ fn fit_words(rate: &Rate) -> String {
     )
 }
 
-fn set_up(record: &StudyRecord) -> String {
+fn set_up(record: &StudyRecord, picture: bool) -> String {
     let mut lines = vec![format!("- Family: {}", family_words(record))];
     lines.extend(regularity::angles(record).map(|words| format!("- Angles: {words}")));
     lines.extend(regularity::sentence(record).map(|words| format!("- Regularity: {words}")));
@@ -219,7 +222,8 @@ fn set_up(record: &StudyRecord) -> String {
         let words: Vec<String> = values.map(|(name, x)| format!("{name} = {x}")).collect();
         lines.push(format!("- Parameters: {}", words.join(", ")));
     }
-    section("Set-up", &format!("{}\n\n{}", record.setup.trim(), lines.join("\n")))
+    let image = image(picture, "mesh.png", "Both bodies, their triangles, boundary parts and contact zone");
+    section("Set-up", &format!("{}\n\n{}\n\n{image}", record.setup.trim(), lines.join("\n")))
 }
 
 fn family_words(record: &StudyRecord) -> String {
@@ -312,6 +316,11 @@ fn pressure(record: &StudyRecord, picture: bool) -> String {
     let image = image(picture, "pressure.png", "Contact pressure and gap along the zone");
     let table = formula::table(record).map_or_else(String::new, |t| format!("{}\n{FORMULA_LEGEND}", t.to_markdown()));
     section("Contact pressure", &format!("{image}{table}"))
+}
+
+/// The bodies under load.
+fn deformed(picture: bool) -> String {
+    section("Deformed bodies", &image(picture, "deformed.png", "Deformed bodies with the stress of von Mises"))
 }
 
 fn image(there: bool, file: &str, words: &str) -> String {

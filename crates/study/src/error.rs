@@ -46,6 +46,14 @@ impl RunError {
         Self::InCase { case: case.name.clone(), source: Box::new(self) }
     }
 
+    /// Whether an external solver is to blame.
+    pub fn is_of_external(&self) -> bool {
+        match self {
+            Self::InCase { source, .. } => source.is_of_external(),
+            other => matches!(other, Self::External(_)),
+        }
+    }
+
     /// Whether a file or folder is to blame, and not the study.
     pub fn is_of_files(&self) -> bool {
         match self {

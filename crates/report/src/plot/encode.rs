@@ -1,14 +1,17 @@
 //! A chart as PNG bytes or as SVG text.
 
+use super::body_chart::BodyChart;
+use super::body_draw;
 use super::canvas::Canvas;
 use super::chart::Chart;
 use super::draw::{Drawn, draw};
 use super::panel_chart::PanelChart;
 use super::panel_draw;
+use super::vector::{DOTS, Vector};
 use super::zone_chart::ZoneChart;
 use super::zone_draw;
 use crate::error::ReportError;
-use plotters::prelude::{BitMapBackend, SVGBackend};
+use plotters::prelude::BitMapBackend;
 
 /// Width of a picture in pixels.
 pub const WIDTH: u32 = 1200;
@@ -33,6 +36,30 @@ pub fn zone_png(chart: &ZoneChart) -> Result<Vec<u8>, ReportError> {
     bitmap(|canvas| zone_draw::draw(chart, canvas))
 }
 
+/// The picture of two bodies, as [`png()`].
+///
+/// # Errors
+/// As [`png()`].
+pub fn body_png(chart: &BodyChart) -> Result<Vec<u8>, ReportError> {
+    bitmap(|canvas| body_draw::draw(chart, canvas))
+}
+
+/// The picture of two bodies, as [`svg`].
+///
+/// # Errors
+/// As [`svg`].
+pub fn body_svg(chart: &BodyChart) -> Result<String, ReportError> {
+    vector(&chart.title, |canvas| body_draw::draw(chart, canvas))
+}
+
+/// Two panels side by side, as [`svg`].
+///
+/// # Errors
+/// As [`svg`].
+pub fn panel_svg(chart: &PanelChart) -> Result<String, ReportError> {
+    vector(&chart.title, |canvas| panel_draw::draw(chart, canvas))
+}
+
 /// Two panels side by side, as [`png()`].
 ///
 /// # Errors
@@ -53,12 +80,13 @@ fn bitmap(paint: impl Fn(&Canvas<BitMapBackend>) -> Drawn) -> Result<Vec<u8>, Re
     encode(&averaged(&dots)).map_err(|e| ReportError::Picture(e.to_string()))
 }
 
-/// The chart as SVG. Text names the font of the bitmap and leaves the rest to the viewer.
+/// The chart as SVG, by itself or inside a page: see [`Colour::PALETTE`](super::Colour::PALETTE) for its classes.
+/// Text is text, in the font of the bitmap where the viewer has it.
 ///
 /// # Errors
 /// [`ReportError::Picture`] if drawing fails.
 pub fn svg(chart: &Chart) -> Result<String, ReportError> {
-    vector(|canvas| draw(chart, canvas))
+    vector(&chart.title, |canvas| draw(chart, canvas))
 }
 
 /// The picture of a contact zone, as [`svg`].
@@ -66,13 +94,13 @@ pub fn svg(chart: &Chart) -> Result<String, ReportError> {
 /// # Errors
 /// As [`svg`].
 pub fn zone_svg(chart: &ZoneChart) -> Result<String, ReportError> {
-    vector(|canvas| zone_draw::draw(chart, canvas))
+    vector(&chart.title, |canvas| zone_draw::draw(chart, canvas))
 }
 
-fn vector(paint: impl Fn(&Canvas<SVGBackend>) -> Drawn) -> Result<String, ReportError> {
+fn vector(words: &str, paint: impl Fn(&Canvas<Vector>) -> Drawn) -> Result<String, ReportError> {
     let mut text = String::new();
     {
-        let canvas = Canvas::new(SVGBackend::with_string(&mut text, (WIDTH, HEIGHT)), 1.0)?;
+        let canvas = Canvas::new(Vector::new(&mut text, (WIDTH, HEIGHT), words), f64::from(DOTS))?;
         paint(&canvas)?;
         canvas.finish()?;
     }

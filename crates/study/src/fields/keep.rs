@@ -36,7 +36,7 @@ impl Keep {
     /// What is kept in the end of the fields that were collected, coarsest first.
     pub fn finally(&self, mut collected: Vec<Fields>) -> Vec<Fields> {
         if *self == Self::Page
-            && let Some(page) = page(&collected)
+            && let Some(page) = page_level(&collected)
         {
             let page = collected.swap_remove(page);
             return vec![page];
@@ -46,7 +46,7 @@ impl Keep {
 }
 
 /// The number in the list of the level that is drawn on the page, the finest with few enough triangles.
-pub fn page(fields: &[Fields]) -> Option<usize> {
+pub fn page_level(fields: &[Fields]) -> Option<usize> {
     let few = fields.iter().rposition(|f| f.triangles.len() <= Keep::DRAWN);
     few.or(if fields.is_empty() { None } else { Some(0) })
 }

@@ -13,7 +13,7 @@ pub mod store;
 pub mod vtu;
 
 pub use collect::collect;
-pub use keep::Keep;
+pub use keep::{Keep, page_level};
 
 use serde::{Deserialize, Serialize};
 use signorini_contact::Body;

@@ -32,7 +32,7 @@ mod plan;
 pub(crate) mod raw;
 mod resolve;
 mod shape;
-mod shipped;
+pub(crate) mod shipped;
 mod slide;
 mod spanned;
 mod splitting;
