@@ -2,6 +2,7 @@
 
 use crate::change::ChangeArgs;
 use crate::fields::FieldsArg;
+use crate::gate::GateArgs;
 use crate::solver::SolverArgs;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
@@ -87,6 +88,9 @@ pub struct RunArgs {
     /// Fields of levels.
     #[command(flatten)]
     pub fields: FieldsArg,
+    /// What a service of continuous integration is told.
+    #[command(flatten)]
+    pub gate: GateArgs,
 }
 
 /// Arguments of `check`.

@@ -12,6 +12,7 @@ mod coverage;
 mod failure;
 mod falsify;
 mod fields;
+mod gate;
 mod list;
 mod progress;
 mod report;

@@ -11,6 +11,9 @@ pub enum ReportError {
     /// The CSV writer refused.
     #[error("report: csv: {0}")]
     Csv(#[from] csv::Error),
+    /// The XML writer refused.
+    #[error("report: junit: {0}")]
+    Junit(String),
     /// The JSON writer refused.
     #[error("report: json: {0}")]
     Json(#[from] serde_json::Error),

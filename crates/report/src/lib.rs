@@ -1,4 +1,4 @@
-//! From a [`StudyRecord`] to what people read: Markdown pages, CSV and JSON tables, pictures. Solves nothing.
+//! From a [`StudyRecord`] to what people read: Markdown pages, LaTeX, CSV and JSON tables, pictures. Solves nothing.
 //!
 //! Every output is a pure function of the record: the same record gives the same bytes.
 //!
@@ -21,18 +21,22 @@
 //! of a case) · [`markdown`] (its page) · [`plot`] (its pictures) · [`verdict`], [`summary`] (all
 //! cases together), [`statements`] (the paper, statement by statement). Apart from records: [`mod@bench`] (speed against error).
 
+pub mod annotations;
 pub mod bench;
 mod bodies;
 mod borderline;
 mod changed;
 pub mod corner;
 mod coverage;
+mod drift;
 pub mod error;
 pub mod extrapolation;
 mod falsify;
 pub mod format;
 pub mod formula;
 pub mod hard;
+pub mod junit;
+pub mod latex;
 pub mod ledger;
 pub mod levels;
 pub mod markdown;
@@ -48,6 +52,7 @@ pub mod verdict;
 
 pub use bench::{bench_text, render_bench};
 pub use coverage::coverage_markdown;
+pub use drift::{CaseDrift, drift_text};
 pub use error::ReportError;
 pub use falsify::{falsify_markdown, falsify_text};
 pub use statements::statements_markdown;
@@ -59,7 +64,7 @@ use signorini_study::store::{remove_if_present, write_atomic, write_summary};
 use std::path::{Path, PathBuf};
 
 /// Writes what there is to read about one case into its folder `dir`: `report.md`, `table.csv`, `table.json`,
-/// `rates.png`, `ledger.png`, `parts.png`, `pressure.png` and the pictures' twins of the ending `svg`.
+/// `table.tex`, `rates.png`, `ledger.png`, `parts.png`, `pressure.png` and the pictures' twins of the ending `svg`.
 ///
 /// A picture with nothing to show is not written, and one that an earlier run left is removed. Returns the files
 /// written, in that order.
@@ -92,6 +97,7 @@ pub fn render_with(record: &StudyRecord, fields: &[Fields], dir: &Path) -> Resul
     folder.write("report.md", markdown::page(record, pictures).as_bytes())?;
     folder.write("table.csv", &table.to_csv()?)?;
     folder.write("table.json", &table::json_text(&table.to_json()?)?)?;
+    folder.write_or_remove("table.tex", latex::case(record).as_deref().map(str::as_bytes))?;
     for (name, chart) in [("rates", &rates), ("ledger", &ledger), ("parts", &parts)] {
         let png = chart.as_ref().map(plot::png).transpose()?;
         folder.write_or_remove(&format!("{name}.png"), png.as_deref())?;
@@ -106,7 +112,7 @@ pub fn render_with(record: &StudyRecord, fields: &[Fields], dir: &Path) -> Resul
     Ok(folder.written)
 }
 
-/// Writes `summary.md`, `statements.md` (one row per statement of the paper), `hard.md` where there are hard cases, and
+/// Writes `summary.md`, `summary.tex`, `statements.md` (one row per statement of the paper), `hard.md` where there are hard cases, and
 /// `summary.json` (one row per case, in the order of `records`) into `dir`, and `index.html`, which holds all of these, every report below `dir`
 /// with its pictures, and the times that the run has left. Returns the files written.
 ///
@@ -115,6 +121,7 @@ pub fn render_with(record: &StudyRecord, fields: &[Fields], dir: &Path) -> Resul
 pub fn render_summary(records: &[StudyRecord], dir: &Path) -> Result<Vec<PathBuf>, ReportError> {
     let mut folder = Folder::new(dir);
     folder.write("summary.md", summary_markdown(records).as_bytes())?;
+    folder.write("summary.tex", latex::summary(records).as_bytes())?;
     folder.write("statements.md", statements_markdown(records).as_bytes())?;
     let hard = hard::page(records);
     folder.write_or_remove("hard.md", hard.as_deref().map(str::as_bytes))?;

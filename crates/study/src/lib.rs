@@ -26,6 +26,7 @@ pub mod run;
 #[cfg(test)]
 mod sample;
 mod scene;
+pub mod schema;
 pub mod splitting;
 pub mod store;
 pub mod study;

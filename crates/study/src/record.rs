@@ -4,6 +4,7 @@
 
 use crate::fields::Fields;
 use crate::finite;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -34,7 +35,7 @@ pub use zone::{ContactMeasure, FormulaValues, PressureSource, ReferencePressure,
 pub const SCHEMA: u32 = 1;
 
 /// The result of one case of a study.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct StudyRecord {
     /// [`SCHEMA`] of the writer.
     pub schema: u32,
@@ -106,7 +107,7 @@ pub struct StudyRecord {
 }
 
 /// Which reference the errors are measured against.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Reference {
     /// A closed form.
@@ -142,7 +143,7 @@ impl Reference {
 }
 
 /// One mesh size of a case.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Level {
     /// From 0, the coarsest.
     pub level: usize,
@@ -211,11 +212,12 @@ pub struct Level {
     pub second: Option<SecondOpinion>,
     /// The fields of the level, on their way into [`CaseRun::fields`](crate::run::CaseRun::fields): only while a case is unfinished.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(skip)]
     pub fields: Option<Box<Fields>>,
 }
 
 /// Scaled residuals of the optimality conditions (no units), recomputed from the raw data.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Kkt {
     /// `‖f−Kx−λ‖_∞ / (‖K‖_∞‖x‖_∞ + ‖f‖_∞)`.
     pub stationarity: f64,
@@ -236,7 +238,7 @@ pub struct Kkt {
 }
 
 /// What else than the discretisation may sit in the measured error, as shares of `errors.energy`.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Budget {
     /// KKT residual in the energy norm.
     pub algebraic: Option<f64>,
@@ -258,7 +260,7 @@ pub struct Budget {
 pub const NO_SOLVER: &str = "none";
 
 /// How a level was solved.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct SolverRecord {
     /// `condensed`, `interior-point`, …
     pub name: String,
@@ -290,7 +292,7 @@ impl Level {
 }
 
 /// A fitted rate, `e ≈ C h^slope`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Rate {
     /// Least-squares slope of `log e` against `log h`.
     pub slope: f64,
@@ -320,7 +322,7 @@ pub struct Rate {
 }
 
 /// What a rate is held against; `None` where there is no such bound.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Bounds {
     /// The paper's.
     pub paper: Option<f64>,
@@ -331,7 +333,7 @@ pub struct Bounds {
 }
 
 /// How a claim is judged.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum ClaimKind {
     /// The fitted rate against the bound.
@@ -351,7 +353,7 @@ pub enum ClaimKind {
 }
 
 /// Pass, fail or inconclusive. Ordered from best to worst, so the worst of several is their maximum.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Outcome {
     /// The claim holds as far as the study can see.
@@ -363,7 +365,7 @@ pub enum Outcome {
 }
 
 /// A judgement with its reasons, for the reader.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Verdict {
     /// What came out.
     pub outcome: Outcome,

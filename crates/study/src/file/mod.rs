@@ -29,11 +29,12 @@ mod mesh_file;
 mod number;
 mod parse;
 mod plan;
-mod raw;
+pub(crate) mod raw;
 mod resolve;
 mod shape;
-mod shipped;
+pub(crate) mod shipped;
 mod slide;
+mod spanned;
 mod splitting;
 #[cfg(test)]
 mod tests;

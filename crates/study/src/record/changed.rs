@@ -1,9 +1,10 @@
 //! What options changed of a study before it ran.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// The study of the file, and what `--set` and `--sweep` made of it.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Changed {
     /// Id of the study in the file.
     pub study: String,
@@ -16,7 +17,7 @@ pub struct Changed {
 }
 
 /// A key of the study file and its value in place of the file's.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Setting {
     /// The key, e.g. `body.upper.material.poisson`.
     pub key: String,

@@ -17,7 +17,7 @@ mod summary;
 
 pub use atomic::{remove_if_present, write_atomic};
 pub use baseline::Baseline;
-pub use drift::drift;
+pub use drift::{Drift, drift};
 pub use records::{read_record, read_records, record_folder, write_record};
 pub use summary::{SummaryRow, read_summary, write_summary};
 
