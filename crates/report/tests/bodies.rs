@@ -84,7 +84,11 @@ fn displacements_are_magnified_by_a_round_factor_that_is_stated() {
     let lowest = chart.areas.iter().flat_map(|a| &a.outline).map(|p| p[1]).filter(|y| *y > -0.5).fold(1.0, f64::min);
     assert!((lowest + 20.0 * 0.004).abs() < 1e-15, "{lowest}");
     // across a gap a factor would let the bodies overlap
-    let closed = plot::deformed(&record, &squares(2, 0.004, [[0.0, -0.004], [0.0; 2]]));
+    let mut fields = squares(2, 0.004, [[0.0, -0.004], [0.0; 2]]);
+    let closed = plot::deformed(&record, &fields);
+    assert!(closed.remarks[0].contains("The initial gap is not drawn"), "{:?}", closed.remarks);
+    fields.zone.across_gap = true;
+    let closed = plot::deformed(&record, &fields);
     assert!(closed.subtitle[1].contains("displacements × 1,"), "{:?}", closed.subtitle);
     assert!(closed.remarks[0].contains("to scale"), "{:?}", closed.remarks);
 }
