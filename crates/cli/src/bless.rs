@@ -15,7 +15,10 @@ pub fn bless(args: &RunArgs) -> Result<u8, Failure> {
         return Err(Failure::new("a baseline needs all levels of its profile", "leave --levels out"));
     }
     if args.gate.is_asked() {
-        return Err(Failure::new("--junit and --annotations belong to `run`: `bless` judges nothing", "leave them out"));
+        return Err(Failure::new(
+            "--junit and --annotations belong to `run`: `bless` judges nothing",
+            "leave them out",
+        ));
     }
     if !args.change.changes()?.is_none() {
         let hint = "leave --set and --sweep out, or write the changed study into a file and bless that";

@@ -40,7 +40,13 @@ impl GateArgs {
     }
 
     /// Tells of a run that came to its end. `drift` is that of the runs, in their order.
-    pub fn tell(&self, studies: &[Study], runs: &[Vec<CaseRun>], drift: &[CaseDrift], strict: bool) -> Result<(), Failure> {
+    pub fn tell(
+        &self,
+        studies: &[Study],
+        runs: &[Vec<CaseRun>],
+        drift: &[CaseDrift],
+        strict: bool,
+    ) -> Result<(), Failure> {
         let pairs: Vec<(&Study, &CaseRun)> =
             studies.iter().zip(runs).flat_map(|(study, runs)| runs.iter().map(move |run| (study, run))).collect();
         let judged: Vec<Judged> = pairs
@@ -51,7 +57,8 @@ impl GateArgs {
         self.write(|| junit(&judged, strict))?;
         if self.annotations.is_some() {
             let place = |case: &Judged| {
-                let study = pairs.iter().find(|(_, run)| std::ptr::eq(&run.record, case.record)).map(|(study, _)| *study);
+                let study =
+                    pairs.iter().find(|(_, run)| std::ptr::eq(&run.record, case.record)).map(|(study, _)| *study);
                 study.map_or_else(|| (String::new(), 1), |study| place(study, &case.record.case))
             };
             say!("{}", github(&judged, strict, place));

@@ -89,7 +89,11 @@ fn tables_of_every_published_record_are_well_formed_and_translate_every_characte
     }
     let summary = latex::summary(&records);
     assert_eq!(complaint(&summary), None);
-    assert_eq!(summary.lines().filter(|l| l.ends_with("\\\\")).count(), records.len() + 3, "rows, caption, two headings");
+    assert_eq!(
+        summary.lines().filter(|l| l.ends_with("\\\\")).count(),
+        records.len() + 3,
+        "rows, caption, two headings"
+    );
 }
 
 #[test]

@@ -15,7 +15,8 @@ impl Table {
     /// levels are headed `EOC`. Needs `\usepackage{booktabs}`.
     pub fn to_latex(&self, caption: &str, label: &str) -> String {
         let notes = tex(self.footnotes().trim());
-        let notes = if notes.is_empty() { String::new() } else { format!("  \\par\\smallskip{{\\footnotesize {notes}}}\n") };
+        let notes =
+            if notes.is_empty() { String::new() } else { format!("  \\par\\smallskip{{\\footnotesize {notes}}}\n") };
         format!(
             "% needs \\usepackage{{booktabs}}\n\\begin{{table}}\n  \\centering\n  \\caption{{{}}}\n  \\label{{{}}}\n  \
              \\begin{{tabular}}{{{}}}\n    \\toprule\n{}    \\midrule\n{}    \\bottomrule\n  \\end{{tabular}}\n{notes}\\end{{table}}\n",

@@ -127,7 +127,8 @@ impl Cell {
 impl Table {
     /// The table without the columns of these keys.
     pub(crate) fn without(self, keys: &[&str]) -> Self {
-        let keep: Vec<usize> = (0..self.columns.len()).filter(|&c| !keys.contains(&self.columns[c].key.as_str())).collect();
+        let keep: Vec<usize> =
+            (0..self.columns.len()).filter(|&c| !keys.contains(&self.columns[c].key.as_str())).collect();
         let of = |row: Row| Row { cells: keep.iter().map(|&c| row.cells[c].clone()).collect(), ..row };
         let columns = keep.iter().map(|&c| self.columns[c].clone()).collect();
         Self { columns, rows: self.rows.into_iter().map(of).collect() }

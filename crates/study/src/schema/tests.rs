@@ -28,7 +28,12 @@ fn a_broken_study_is_not() {
     for (what, old, new, told) in [
         ("a misspelt key", "question =", "qestion =", "unknown"),
         ("a missing key", "question =", "# question =", "no \"question\""),
-        ("a text for a number", "[[body]]", &format!("{}rectangle = [[0, 0], [1, \"1\"]]\n[[body]]", body) as &str, "/rectangle/1/1"),
+        (
+            "a text for a number",
+            "[[body]]",
+            &format!("{}rectangle = [[0, 0], [1, \"1\"]]\n[[body]]", body) as &str,
+            "/rectangle/1/1",
+        ),
         ("three coordinates", "[[body]]", &format!("{}rectangle = [[0, 0, 0], [1, 1]]\n[[body]]", body), "maxItems"),
         ("a misspelt material", "[[body]]", &format!("{}\n[[body]]", body.replace("young", "yung")), "/material"),
         ("no such family", "[[body]]", "[family]\nname = \"structurd\"\n[[body]]", "/family/name"),

@@ -128,7 +128,13 @@ fn of_errors(b: &BaselineLevel, l: &Level) -> Vec<Drift> {
     let moved = errors.into_iter().filter(|(_, now, was)| !same_error(*now, *was, floor));
     let one = |(name, now, was): (&str, Option<f64>, Option<f64>)| {
         let words = format!("level {}: {name} {}, was {}", l.level, number(now), number(was));
-        Drift::of_numbers(format!("level {}: {name}", l.level), was, now, allowed_error(was.unwrap_or(0.0), floor), words)
+        Drift::of_numbers(
+            format!("level {}: {name}", l.level),
+            was,
+            now,
+            allowed_error(was.unwrap_or(0.0), floor),
+            words,
+        )
     };
     moved.map(one).collect()
 }
