@@ -9,7 +9,7 @@ use signorini_study::fields::Keep;
 pub struct FieldsArg {
     /// Levels whose displacement, strain, stress and contact pressure are kept, drawn and written for ParaView (VTU) and NumPy:
     /// `none`, `all`, `last`, or numbers from 0, separated by commas. Without it one level of each case is kept and drawn, the
-    /// finest with at most 3000 triangles, and no NumPy file is written.
+    /// finest with at most 3200 triangles, and no NumPy file is written.
     #[arg(long, value_name = "LEVELS", value_parser = keep)]
     pub fields: Option<Keep>,
 }
@@ -18,11 +18,6 @@ impl FieldsArg {
     /// What to keep.
     pub fn keep(&self) -> Keep {
         self.fields.clone().unwrap_or(Keep::Page)
-    }
-
-    /// Whether NumPy's files are written: where levels were asked for by name.
-    pub fn arrays(&self) -> bool {
-        self.fields.is_some()
     }
 }
 

@@ -130,7 +130,7 @@ fn write_case(mut run: CaseRun, args: &RunArgs, progress: &Progress) -> Result<(
     let drift = drift(&mut run)?;
     store::write_record(&args.out, &run.record)?;
     let folder = store::record_folder(&args.out, &run.record)?;
-    write_fields(&folder, &run.fields, args.fields.arrays())?;
+    write_fields(&folder, &run.fields)?;
     signorini_report::render_with(&run.record, &run.fields, &folder)?;
     run.is_written();
     progress.case_done(&run.record);

@@ -17,6 +17,9 @@ pub enum ReportError {
     /// The JSON writer refused.
     #[error("report: json: {0}")]
     Json(#[from] serde_json::Error),
+    /// The page could not be put together.
+    #[error("report: page: {0}")]
+    Page(String),
     /// The picture could not be drawn or encoded.
     #[error("report: picture: {0}")]
     Picture(String),

@@ -41,6 +41,7 @@ pub mod ledger;
 pub mod levels;
 pub mod markdown;
 pub mod norm;
+mod page;
 pub mod plot;
 pub mod regularity;
 mod splitting;
@@ -74,8 +75,8 @@ pub fn render(record: &StudyRecord, dir: &Path) -> Result<Vec<PathBuf>, ReportEr
     render_with(record, &[], dir)
 }
 
-/// The same, and `mesh` and `deformed` as PNG and SVG of the level among `fields` that [`page_level`](signorini_study::fields::page_level) chooses; of the others
-/// `fields/level-<k>-mesh.png` and so on.
+/// The same, and `mesh` and `deformed` as PNG and SVG of the level among `fields` that
+/// [`page_level`](signorini_study::fields::page_level) chooses; levels that were asked for have their own in `fields/`.
 ///
 /// # Errors
 /// As [`render`].
@@ -112,7 +113,8 @@ pub fn render_with(record: &StudyRecord, fields: &[Fields], dir: &Path) -> Resul
 }
 
 /// Writes `summary.md`, `summary.tex`, `statements.md` (one row per statement of the paper), `hard.md` where there are hard cases, and
-/// `summary.json` (one row per case, in the order of `records`) into `dir`. Returns the files written.
+/// `summary.json` (one row per case, in the order of `records`) into `dir`, and `index.html`, which holds all of these, every report below `dir`
+/// with its pictures, and the times that the run has left. Returns the files written.
 ///
 /// # Errors
 /// [`ReportError`] if a file cannot be written or a number is not finite.
@@ -124,6 +126,7 @@ pub fn render_summary(records: &[StudyRecord], dir: &Path) -> Result<Vec<PathBuf
     let hard = hard::page(records);
     folder.write_or_remove("hard.md", hard.as_deref().map(str::as_bytes))?;
     folder.written.push(write_summary(dir, records)?);
+    folder.write("index.html", page::page(records, dir)?.as_bytes())?;
     Ok(folder.written)
 }
 

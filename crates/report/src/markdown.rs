@@ -27,7 +27,7 @@ pub struct Pictures {
     pub parts: bool,
     /// `pressure.png`.
     pub pressure: bool,
-    /// `mesh.png` and `deformed.png`.
+    /// `mesh.svg` and `deformed.svg`.
     pub bodies: bool,
 }
 
@@ -223,7 +223,7 @@ fn set_up(record: &StudyRecord, picture: bool) -> String {
         let words: Vec<String> = values.map(|(name, x)| format!("{name} = {x}")).collect();
         lines.push(format!("- Parameters: {}", words.join(", ")));
     }
-    let image = image(picture, "mesh.png", "Both bodies, their triangles, boundary parts and contact zone");
+    let image = image(picture, "mesh.svg", "Both bodies, their triangles, boundary parts and contact zone");
     section("Set-up", &format!("{}\n\n{}\n\n{image}", record.setup.trim(), lines.join("\n")))
 }
 
@@ -321,7 +321,7 @@ fn pressure(record: &StudyRecord, picture: bool) -> String {
 
 /// The bodies under load.
 fn deformed(picture: bool) -> String {
-    section("Deformed bodies", &image(picture, "deformed.png", "Deformed bodies with the stress of von Mises"))
+    section("Deformed bodies", &image(picture, "deformed.svg", "Deformed bodies with the stress of von Mises"))
 }
 
 fn image(there: bool, file: &str, words: &str) -> String {

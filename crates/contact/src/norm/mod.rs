@@ -98,9 +98,10 @@ fn of_nodal(mesh: &Mesh, materials: &[Material; 2], nodal: impl Fn(usize) -> Vec
 }
 
 /// `∫ |v|² = |T|/12 (|v_0+v_1+v_2|² + Σ|v_k|²)` of the linear field with these values at the corners of a triangle.
-fn square_of_linear([a, b, c]: [Point; 3], values: &[Vec2; 3]) -> f64 {
+pub fn square_of_linear([a, b, c]: [Point; 3], values: &[Vec2; 3]) -> f64 {
     let total: Vec2 = values.iter().sum();
-    0.5 * twice_area(a, b, c) / 12.0 * (total.norm_squared() + values.iter().map(|v| v.norm_squared()).sum::<f64>())
+    0.5 * twice_area(a, b, c).abs() / 12.0
+        * (total.norm_squared() + values.iter().map(|v| v.norm_squared()).sum::<f64>())
 }
 
 /// A displacement and its gradient `g[i][j] = ∂_j u_i` at a point of a body.

@@ -62,7 +62,7 @@ fn curve(solver: &str, sizes: &[Size], factor: f64, left_out: Vec<LeftOut>) -> S
     }
 }
 
-fn study(id: &str) -> BenchStudy {
+pub(super) fn study(id: &str) -> BenchStudy {
     let size = |level: usize| {
         let dofs = 1000 << (2 * level);
         let product = Some(spread(1.2e-8 * dofs as f64));
@@ -83,7 +83,7 @@ fn study(id: &str) -> BenchStudy {
     }
 }
 
-fn record() -> BenchRecord {
+pub(super) fn record() -> BenchRecord {
     BenchRecord {
         schema: SCHEMA,
         version: "0.0.0 (test)".into(),

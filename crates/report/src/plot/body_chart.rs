@@ -79,7 +79,7 @@ pub struct BodyChart {
 /// Bodies this many times as long as high can be seen as they are.
 const THIN: f64 = 10.0;
 /// What magnification of a thin body's height leaves.
-const SHOWN: f64 = 4.0;
+const SHOWN: f64 = 2.5;
 
 impl BodyChart {
     /// The magnification of bodies that fill `low` to `high`, and what to say of it.

@@ -117,7 +117,6 @@ fn draw_column<DB: DrawingBackend>(
     for ((at, label), y) in places.into_iter().zip(ys) {
         let x = edge + outward * LEADER;
         let end = (x - outward * 8.0, y);
-        canvas.line(&[end, at], Colour::White, 4.0, 0.8)?;
         canvas.line(&[end, at], label.colour, 1.5, 1.0)?;
         canvas.mark(at, 4.0, super::chart::Shape::Circle, label.colour, super::chart::MarkKind::Used)?;
         let side = if outward < 0.0 { Anchor::Right } else { Anchor::Left };

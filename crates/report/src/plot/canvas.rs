@@ -5,6 +5,7 @@ use crate::error::ReportError;
 use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::{FontStyle, register_font};
+use std::cell::RefCell;
 use std::sync::OnceLock;
 
 /// The font of every picture: embedded, so that no font of the system is asked for.
@@ -26,10 +27,19 @@ pub(crate) enum Anchor {
 pub(crate) struct Canvas<DB: DrawingBackend> {
     area: DrawingArea<DB, Shift>,
     scale: f64,
+    notes: RefCell<Vec<Note>>,
+}
+
+/// Words that a reader sees who points at a place.
+pub(crate) struct Note {
+    /// In pixels.
+    pub at: At,
+    /// What is there.
+    pub words: String,
 }
 
 /// Pixels, downwards.
-type At = (f64, f64);
+pub(crate) type At = (f64, f64);
 
 impl<DB: DrawingBackend> Canvas<DB> {
     /// A white canvas.
@@ -37,12 +47,22 @@ impl<DB: DrawingBackend> Canvas<DB> {
         use_embedded_font()?;
         let area = backend.into_drawing_area();
         area.fill(&WHITE).map_err(refused)?;
-        Ok(Self { area, scale })
+        Ok(Self { area, scale, notes: RefCell::default() })
     }
 
     /// Hands the picture to the backend.
     pub fn finish(&self) -> Result<(), ReportError> {
         self.area.present().map_err(refused)
+    }
+
+    /// Words for who points there; bitmaps have none.
+    pub fn note(&self, at: At, words: impl FnOnce() -> String) {
+        self.notes.borrow_mut().push(Note { at, words: words() });
+    }
+
+    /// The notes so far.
+    pub fn notes(&self) -> Vec<Note> {
+        self.notes.take()
     }
 
     /// A broken line, `width` pixels wide; `strength` 0 (invisible) to 1.

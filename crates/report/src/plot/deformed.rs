@@ -9,8 +9,10 @@ use crate::summary::name;
 use signorini_study::fields::Fields;
 use signorini_study::record::StudyRecord;
 
-/// The largest displacement that is drawn, as a share of the bodies' extent.
-const SEEN: f64 = 0.06;
+/// The largest displacement that is drawn, as a share of the smaller body's extent.
+const SEEN: f64 = 0.1;
+/// The same where displacements are not magnified.
+const LARGE: f64 = 0.5;
 /// A stress that so small a share of the area exceeds does not set the scale.
 const PEAK: f64 = 0.01;
 /// The scale is cut where the largest stress exceeds the rest by this factor.
@@ -19,10 +21,11 @@ const EXCEEDS: f64 = 1.6;
 /// The deformed bodies, displacements magnified by a round factor, each triangle in the colour of its stress, on the outlines at
 /// rest.
 pub fn deformed(record: &StudyRecord, fields: &Fields) -> BodyChart {
-    let magnified = Magnified::new(fields);
+    let (stretch, stretched) = whole(fields);
+    let magnified = Magnified::new(fields, stretch);
     let factor = magnified.factor;
     let scale = Scale::new(fields);
-    let (stretch, stretched) = whole(fields);
+    let (inside, outside) = names(fields, factor);
     let mut strokes: Vec<Stroke> = boundary(fields, 0.0, Colour::Grey, 1.5);
     strokes.extend(boundary(fields, factor, Colour::Black, 1.5));
     let remarks = [Some(magnified.words()), stretched, scale.words()];
@@ -31,8 +34,8 @@ pub fn deformed(record: &StudyRecord, fields: &Fields) -> BodyChart {
         subtitle: vec![record.title.clone(), numbers(fields, factor, scale.highest)],
         areas: shaded(fields, factor, &scale),
         strokes,
-        labels: Vec::new(),
-        names: names(fields, factor),
+        labels: outside,
+        names: inside,
         bar: Some(Bar { name: "von Mises stress".into(), top: scale.top, cut: scale.cut() }),
         stretch,
         remarks: vec![remarks.into_iter().flatten().collect::<Vec<_>>().join(" ")],
@@ -61,27 +64,35 @@ struct Magnified {
 }
 
 impl Magnified {
-    fn new(fields: &Fields) -> Self {
-        let [low, high] = bounds(fields.nodes.iter());
-        let extent = (high[0] - low[0]).max(high[1] - low[1]);
-        let apart = largest_gap(fields) > 1e-9 * extent;
-        let largest = largest_displacement(fields);
-        let wanted = SEEN * extent / largest;
-        let factor = if wanted.is_finite() && wanted > 0.0 { round_down(wanted) } else { 1.0 };
+    fn new(fields: &Fields, stretch: XY) -> Self {
+        let extent = smaller_extent(fields, stretch);
+        let largest =
+            fields.displacement.iter().map(|u| (stretch[0] * u[0]).hypot(stretch[1] * u[1])).fold(0.0, f64::max);
+        let apart = largest_gap(fields) > 1e-9 * smaller_extent(fields, [1.0; 2]);
         // magnified displacements would close a gap too far, which is not magnified with them
-        Self { factor: if apart { factor.min(1.0) } else { factor }, apart }
+        let wanted = if apart { (LARGE * extent / largest).min(1.0) } else { SEEN * extent / largest };
+        let factor = if wanted.is_finite() && wanted > 0.0 { round_down(wanted) } else { 1.0 };
+        Self { factor, apart }
     }
 
     fn words(&self) -> String {
         let at_rest = "Grey: outlines at rest.";
         match (self.apart, self.factor == 1.0) {
-            (true, true) => {
-                format!("{at_rest} Displacements are to scale, so that the gap closes where the bodies touch.")
-            }
+            (true, true) => format!("{at_rest} Displacements are to scale, so that bodies in contact just touch."),
             (true, false) => format!("{at_rest} Displacements are made smaller and the initial gap is not."),
             _ => at_rest.into(),
         }
     }
+}
+
+/// The larger side of the rectangle about a body, of the smaller body.
+fn smaller_extent(fields: &Fields, stretch: XY) -> f64 {
+    let extent = |body: usize| {
+        let nodes = fields.triangles_of(body).flat_map(|t| fields.triangles[t]).map(|i| &fields.nodes[i as usize]);
+        let [low, high] = bounds(nodes);
+        (stretch[0] * (high[0] - low[0])).max(stretch[1] * (high[1] - low[1]))
+    };
+    extent(0).min(extent(1))
 }
 
 /// The largest initial distance, `ε = gap + n·(u' − u'')`, of either sign.

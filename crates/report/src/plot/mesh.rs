@@ -16,6 +16,7 @@ const NAMED: usize = 14;
 /// Both bodies with the triangles of a level, boundary parts and contact zone named at the sides.
 pub fn mesh(record: &StudyRecord, fields: &Fields) -> BodyChart {
     let (stretch, stretched) = whole(fields);
+    let (inside, outside) = names(fields, 0.0);
     let mut strokes = Vec::new();
     let shown = fields.triangles.len() <= VISIBLE;
     if shown {
@@ -29,8 +30,8 @@ pub fn mesh(record: &StudyRecord, fields: &Fields) -> BodyChart {
         subtitle: vec![record.title.clone(), numbers(record, fields)],
         areas: areas(fields),
         strokes,
-        labels: labels(fields),
-        names: names(fields, 0.0),
+        labels: labels(fields).into_iter().chain(outside).collect(),
+        names: inside,
         bar: None,
         stretch,
         remarks: stretched.into_iter().chain((!shown).then_some(small)).collect(),
@@ -110,16 +111,37 @@ pub(super) fn zone_strokes(fields: &Fields, colour: Colour, width: f64, factor: 
     strokes
 }
 
-/// The names of the two bodies, in the middle of each.
-pub(super) fn names(fields: &Fields, factor: f64) -> Vec<(String, XY)> {
-    let first = fields.first_triangles;
+/// A body less wide than this share of both has its name at the side.
+const NARROW: f64 = 0.15;
+
+/// The names of the two bodies: in the middle of each, or at the side of the picture where that would cover the body.
+pub(super) fn names(fields: &Fields, factor: f64) -> (Vec<(String, XY)>, Vec<Label>) {
+    let [low, high] = bounds(fields.nodes.iter());
+    let narrow = |body: usize| {
+        let triangles = fields.triangles_of(body);
+        let nodes = triangles.flat_map(|t| fields.triangles[t]).map(|i| &fields.nodes[i as usize]);
+        let [a, b] = bounds(nodes);
+        b[0] - a[0] < NARROW * (high[0] - low[0])
+    };
+    let named = both_names(fields, factor).into_iter().enumerate();
+    let (outside, inside): (Vec<_>, Vec<_>) = named.partition(|(body, _)| narrow(*body));
+    let label = |(_, (text, at)): (usize, (String, XY))| Label {
+        text,
+        detail: String::new(),
+        colour: Colour::Black,
+        anchors: vec![at],
+    };
+    (inside.into_iter().map(|(_, name)| name).collect(), outside.into_iter().map(label).collect())
+}
+
+fn both_names(fields: &Fields, factor: f64) -> Vec<(String, XY)> {
     let name = |body: usize, range: std::ops::Range<usize>| {
         let symbol = ["Ω′", "Ω″"][body];
         let text =
             if fields.bodies[body].is_empty() { symbol.into() } else { format!("{symbol} {}", fields.bodies[body]) };
         (text, middle(fields, range, factor))
     };
-    vec![name(0, 0..first), name(1, first..fields.triangles.len())]
+    (0..2).map(|body| name(body, fields.triangles_of(body))).collect()
 }
 
 /// The centroid of the triangle that is nearest to the centre of area of these.

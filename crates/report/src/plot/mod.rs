@@ -36,6 +36,6 @@ pub use ledger::ledger;
 pub use mesh::mesh;
 pub use panel_chart::{Panel, PanelChart, Series, Style};
 pub use parts::parts;
-pub use pressure::{percent, pressure};
+pub use pressure::{percent, pressure, pressure_of_level};
 pub use rates::rates;
 pub use zone_chart::{Trace, ZoneChart};

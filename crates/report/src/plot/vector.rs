@@ -4,6 +4,7 @@
 //! `currentColor`. So a page that inlines a picture recolours it by one rule for each class, `.plot .c-ink { color: … }`, and a file by itself is
 //! seen as it is. There are no ids that two pictures on a page could share.
 
+use super::canvas::Note;
 use super::chart::Colour;
 use plotters::prelude::DrawingBackend;
 use plotters_backend::{BackendColor, BackendCoord, BackendStyle, BackendTextStyle, DrawingErrorKind};
@@ -187,4 +188,20 @@ impl DrawingBackend for Vector<'_> {
         );
         Ok(())
     }
+}
+
+/// Radius of the place that shows a note, in dots.
+const REACH: u32 = 14 * DOTS;
+
+/// Lays a place to point at over each of the notes of a finished picture.
+pub(crate) fn annotate(text: &mut String, notes: &[Note]) {
+    let Some(end) = text.rfind("</svg>").filter(|_| !notes.is_empty()) else { return };
+    text.truncate(end);
+    text.push_str("<g class=\"notes\" fill-opacity=\"0\">\n");
+    for Note { at: (x, y), words } in notes {
+        let (x, y) = (x * f64::from(DOTS), y * f64::from(DOTS));
+        let words = escaped(words);
+        let _ = writeln!(text, "<circle cx=\"{x:.0}\" cy=\"{y:.0}\" r=\"{REACH}\"><title>{words}</title></circle>");
+    }
+    text.push_str("</g>\n</svg>\n");
 }

@@ -29,6 +29,7 @@ pub fn collect(
     let stress: Vec<[f64; 3]> = strain.iter().enumerate().map(|(t, e)| material(t).stress(*e)).collect();
     let fields = Fields {
         level,
+        asked: false,
         bodies: [0, 1].map(|b| scene.bodies[b].name.clone()),
         nodes: mesh.points.iter().map(components).collect(),
         triangles: mesh.triangles.clone(),

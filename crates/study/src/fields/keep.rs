@@ -20,7 +20,7 @@ pub enum Keep {
 
 impl Keep {
     /// Triangles whose sides can still be told apart in a picture.
-    pub const DRAWN: usize = 3000;
+    pub const DRAWN: usize = 3200;
 
     /// Whether level `level` of `levels`, with so many triangles, is kept for the time being.
     pub fn wants(&self, level: usize, levels: usize, triangles: usize) -> bool {
@@ -33,6 +33,11 @@ impl Keep {
         }
     }
 
+    /// Whether levels were asked for by name.
+    pub fn asks(&self) -> bool {
+        !matches!(self, Self::None | Self::Page)
+    }
+
     /// What is kept in the end of the fields that were collected, coarsest first.
     pub fn finally(&self, mut collected: Vec<Fields>) -> Vec<Fields> {
         if *self == Self::Page
@@ -41,6 +46,7 @@ impl Keep {
             let page = collected.swap_remove(page);
             return vec![page];
         }
+        collected.iter_mut().for_each(|f| f.asked = self.asks());
         collected
     }
 }

@@ -10,6 +10,8 @@ mod keep;
 pub mod npy;
 mod packed;
 pub mod store;
+#[cfg(test)]
+mod tests;
 pub mod vtu;
 
 pub use collect::collect;
@@ -23,6 +25,8 @@ use signorini_contact::Body;
 pub struct Fields {
     /// Number of the level, from 0, the coarsest.
     pub level: usize,
+    /// Whether the level was asked for by name, and not kept for the page alone: then it has pictures and arrays of its own.
+    pub asked: bool,
     /// Names of `Ω'` and `Ω''` in the study.
     pub bodies: [String; 2],
     /// Node positions. Nodes on the contact zone are doubled, one for each body.
@@ -69,6 +73,11 @@ impl Fields {
     /// The body of triangle `t`.
     pub fn body(&self, t: usize) -> Body {
         if t < self.first_triangles { Body::First } else { Body::Second }
+    }
+
+    /// The triangles of `Ω'` (0) or `Ω''` (1).
+    pub fn triangles_of(&self, body: usize) -> std::ops::Range<usize> {
+        if body == 0 { 0..self.first_triangles } else { self.first_triangles..self.triangles.len() }
     }
 
     /// The curved side of triangle `t`, if it has one.

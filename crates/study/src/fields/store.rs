@@ -5,7 +5,7 @@
 //! <case>/fields/level-3.json        everything, for `report` to draw again; arrays are base64 of little-endian numbers
 //!               level-3.vtu         both bodies, for ParaView
 //!               level-3-zone.vtu    the contact zone
-//!               level-3/*.npy       the arrays, for NumPy, where levels were asked for
+//!               level-3/*.npy       the arrays, for NumPy, of levels that were asked for
 //! ```
 
 use super::{Fields, npy, vtu};
@@ -17,12 +17,12 @@ use std::path::{Path, PathBuf};
 
 const FOLDER: &str = "fields";
 
-/// Writes the fields of a case into its folder, with NumPy arrays if they are wanted. What an earlier run left there goes first: it belongs
+/// Writes the fields of a case into its folder. What an earlier run left there goes first: it belongs
 /// to another record. Returns the files written.
 ///
 /// # Errors
 /// [`StoreError::Io`].
-pub fn write_fields(case: &Path, levels: &[Fields], arrays: bool) -> Result<Vec<PathBuf>, StoreError> {
+pub fn write_fields(case: &Path, levels: &[Fields]) -> Result<Vec<PathBuf>, StoreError> {
     let folder = case.join(FOLDER);
     clear(&folder)?;
     let mut written = Vec::new();
@@ -34,7 +34,7 @@ pub fn write_fields(case: &Path, levels: &[Fields], arrays: bool) -> Result<Vec<
             (format!("{name}.vtu"), vtu::bodies(fields).into_bytes()),
             (format!("{name}-zone.vtu"), vtu::zone(fields).into_bytes()),
         ];
-        if arrays {
+        if fields.asked {
             files.extend(npy::files(fields).into_iter().map(|(file, bytes)| (format!("{name}/{file}"), bytes)));
         }
         for (file, bytes) in files {

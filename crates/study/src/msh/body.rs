@@ -96,7 +96,7 @@ impl BodyMesh {
         }
         for (ends, owners) in sides {
             match &owners[..] {
-                [(side, _)] => drop(self.boundary.insert(ends, *side)),
+                [(side, _)] => _ = self.boundary.insert(ends, *side),
                 [(a, _), (b, _)] if a != b => {}
                 _ => {
                     let tags: Vec<String> = owners.iter().map(|(_, tag)| tag.to_string()).collect();

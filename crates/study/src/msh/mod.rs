@@ -10,6 +10,8 @@ mod cursor;
 mod error;
 mod kind;
 mod read;
+#[cfg(test)]
+mod tests;
 mod write;
 pub mod zone;
 

@@ -71,10 +71,12 @@ impl Msh {
                 .refuse(message, "save it in one piece: Mesh > Unpartition, or gmsh.model.mesh.unpartition()");
         }
         if !READ.contains(&name) {
+            let begin = cursor.place();
             if cursor.skip_behind(end.as_bytes()) {
                 return Ok(());
             }
-            return cursor.refuse(format!("the section {} does not end", shown(Some(name))), format!("add {end}"));
+            let message = format!("the section {} does not end", shown(Some(name)));
+            return Err(MshError::at(begin, message, format!("add {end}")));
         }
         if name != b"PhysicalNames" && form != Form::Text {
             cursor.end_line();
@@ -173,7 +175,7 @@ impl Msh {
                 match number {
                     kind::LINE => self.lines.push(Element { tag, entity, nodes: self.node_tags(cursor, tag)? }),
                     kind::TRIANGLE => self.triangles.push(Element { tag, entity, nodes: self.node_tags(cursor, tag)? }),
-                    _ => drop(self.node_tags::<1>(cursor, tag)?),
+                    _ => _ = self.node_tags::<1>(cursor, tag)?,
                 }
             }
         }

@@ -3,6 +3,8 @@
 mod entry;
 mod picture;
 mod tables;
+#[cfg(test)]
+mod tests;
 
 use super::words::error_source;
 use crate::plot::PanelChart;

@@ -20,7 +20,7 @@ pub(super) fn all(entries: &[Entry]) -> Table {
         "work",
         "CPU (s)",
         "linear: iterations",
-        "work",
+        "linear: work",
         "ratio (work)",
         "ratio (CPU)",
         "status",

@@ -25,6 +25,7 @@ fn every_field_is_documented() {
     let tables = [
         "",
         "[own_claim]",
+        "[mesh]",
         "[[body]]",
         "[body.material]",
         "[body.material.orthotropic]",

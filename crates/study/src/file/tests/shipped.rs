@@ -82,6 +82,8 @@ fn the_cases_are_those_of_the_plan() {
         ("lemma-3-3-full", &["full-right", "full"]),
         ("hertz", &["load-64", "load-16", "load-4", "load-1", "two-cylinders"]),
         ("pin-in-hole", &["load-1", "load-10"]),
+        ("pin-imported", &["pin-imported"]),
+        ("dovetail", &["dovetail"]),
         ("remark-3-1", &["mean-zero", "slide-3", "slide-minus-2-perturbed"]),
         ("remark-3-3", &["structured", "perturbed", "delaunay"]),
         ("remark-3-5", &["arc", "arc-perturbed"]),

@@ -1,22 +1,26 @@
 //! Bodies, boundary parts and contact zone out of a mesh file: physical surfaces and curves by name.
 
-use super::boundary::{body_of, condition};
+use super::boundary::body_of;
 use super::curve::Curves;
 use super::error::{Fault, refuse};
 use super::layer::Layer;
-use super::raw::{FamilyName, RawBody, RawBoundary, RawFamily, RawLevels, RawMesh, RawReference, ReferenceName};
+use super::raw::{RawBody, RawBoundary, RawMesh};
 use super::spanned::Spanned;
-use crate::family::Family;
 use crate::msh::body::{BodyMesh, lower_first};
 use crate::msh::chain::{along, rows, straight};
 use crate::msh::zone::{Faces, zone};
 use crate::msh::{Msh, MshError};
-use crate::study::{Imported, Part, Shape};
-use signorini_contact::geometry::{Path, Piece, SharedCurve, right_normal};
+use crate::study::{Part, Shape};
+use signorini_contact::geometry::{Path, SharedCurve};
 use signorini_contact::{Body, ContactLine};
 use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::Arc;
+
+mod parts;
+mod plan;
+
+pub use plan::{check_levels, family};
 
 /// What a mesh file and the study's names for it make together.
 pub struct Geometry {
@@ -47,11 +51,11 @@ pub fn geometry(raw: &RawMesh, layer: &Layer<'_>, curves: &Curves, place: Range<
             *found = file.paths(group, &mut bodies[group.body.index()])?;
         }
     }
-    let parts = parts(&groups, &paths, layer)?;
+    let parts = parts::parts(&groups, &paths, layer)?;
     let shape = |b: usize| Shape {
         name: names[b].to_string(),
         blocks: Vec::new(),
-        imported: Some(Arc::new(imported(&bodies[b], Body::BOTH[b], &parts, &path.path))),
+        imported: Some(Arc::new(parts::imported(&bodies[b], Body::BOTH[b], &parts, &path.path))),
     };
     Ok(Geometry { bodies: [shape(0), shape(1)], parts, contact: ContactLine::Common(path.path) })
 }
@@ -214,81 +218,4 @@ impl File<'_> {
 fn named(name: Option<&Spanned<String>>, curves: &Curves) -> Result<Option<(String, SharedCurve)>, Fault> {
     let Some(name) = name else { return Ok(None) };
     Ok(curves.find(name)?.map(|curve| (name.get_ref().clone(), curve)))
-}
-
-/// A part for each row of sides: `free`, `free (2)`, ….
-fn parts(groups: &[Group<'_>], paths: &[Vec<Path>], layer: &Layer<'_>) -> Result<Vec<Part>, Fault> {
-    let mut parts: Vec<Part> = Vec::new();
-    for (group, paths) in groups.iter().zip(paths) {
-        let name = group.raw.name.get_ref();
-        for (k, path) in paths.iter().enumerate() {
-            let name = if k == 0 { name.clone() } else { format!("{name} ({})", k + 1) };
-            if parts.iter().any(|p| p.body == group.body && p.name == name) {
-                let message = format!("body `{}` has two boundary parts `{name}`", group.raw.body.get_ref());
-                return refuse(group.raw.name.span(), message, "rename one of them");
-            }
-            let condition = condition(group.raw, &layer.parameters)?;
-            parts.push(Part { body: group.body, name, along: path.clone(), condition });
-        }
-    }
-    Ok(parts)
-}
-
-fn imported(body: &BodyMesh, which: Body, parts: &[Part], zone: &Path) -> Imported {
-    let own = || parts.iter().filter(move |p| p.body == which);
-    let paths = || own().map(|p| (p.name.as_str(), &p.along)).chain([("the contact zone", zone)]);
-    Imported {
-        mesh: body.mesh.clone(),
-        boundary: paths().flat_map(|(_, p)| p.pieces().collect::<Vec<Piece>>()).collect(),
-        notes: paths().filter_map(|(name, path)| shallow(&body.name, name, path)).collect(),
-    }
-}
-
-/// Corners that turn by less than 30° one after the other look like a curve that nobody named.
-fn shallow(body: &str, name: &str, path: &Path) -> Option<String> {
-    let normal = |w: &[signorini_contact::Point]| right_normal(w[0], w[1]);
-    let turn = |w: &[signorini_contact::Point]| normal(&w[..2]).dot(&normal(&w[1..]));
-    let count = path.corners.windows(3).filter(|w| turn(w) > 0.75_f64.sqrt()).count();
-    (count > 2 && !path.is_curved()).then(|| {
-        format!("{name} of \"{body}\" is taken as a polygon with {count} corners of less than 30°; if it is a curve, name that in `curves`")
-    })
-}
-
-/// The family of a mesh out of a file is its own red refinement.
-pub fn family(raw: Option<&Spanned<RawFamily>>) -> Result<Family, Fault> {
-    let Some(raw) = raw else { return Ok(Family::Imported) };
-    let f = raw.get_ref();
-    let others = f.seed.is_some() || f.amount.is_some() || f.coarse.is_some();
-    if f.name == FamilyName::Refined && !others {
-        return Ok(Family::Imported);
-    }
-    refuse(raw.span(), "the family of a mesh file is its own refinement", "leave [family] out")
-}
-
-/// Levels count the parts of each side of the file's mesh: powers of two from 1 on, and no default would fit every file.
-pub fn check_levels(
-    levels: Option<&RawLevels>,
-    reference: Option<&Spanned<RawReference>>,
-    place: Range<usize>,
-) -> Result<(), Fault> {
-    let lists = levels.and_then(|l| Some([l.quick.as_ref()?, l.full.as_ref()?]));
-    let Some(lists) = lists else {
-        let message = "a mesh out of a file needs `quick` and `full` in [levels]";
-        return refuse(place, message, "count the parts of each side of the file's mesh, e.g. quick = [1, 2, 4, 8]");
-    };
-    if let Some(list) = lists.into_iter().find(|l| l.get_ref().first() != Some(&1)) {
-        let message = format!("the levels {:?} do not begin with 1, the mesh of the file", list.get_ref());
-        return refuse(list.span(), message, "count the parts of each side of the file's mesh, e.g. [1, 2, 4, 8]");
-    }
-    match reference.filter(|r| r.get_ref().kind == ReferenceName::Overkill) {
-        Some(r) if r.get_ref().quick.is_none() || r.get_ref().full.is_none() => {
-            let message = "an overkill reference on a mesh out of a file needs `quick` and `full`";
-            refuse(
-                r.span(),
-                message,
-                "give the parts of each side of the file's mesh: several times those of the finest level",
-            )
-        }
-        _ => Ok(()),
-    }
 }
