@@ -6,6 +6,7 @@ use signorini_study::record::StudyRecord;
 
 /// Fields of levels.
 #[derive(Args, Debug, Clone)]
+#[command(next_help_heading = "Output")]
 pub struct FieldsArg {
     /// Levels whose displacement, strain, stress and contact pressure are kept, drawn and written for ParaView (VTU) and NumPy:
     /// `none`, `all`, `last`, or numbers from 0, separated by commas. Without it one level of each case is kept and drawn, the

@@ -3,6 +3,7 @@
 use crate::args::{ProfileArg, RunArgs, SolverArg};
 use crate::change::load_changed;
 use crate::failure::Failure;
+use crate::interrupt;
 use crate::progress::Progress;
 use serde::Serialize;
 use signorini_report::{CaseDrift, drift_text, summary_text};
@@ -64,6 +65,7 @@ pub fn library() -> Result<Library, Failure> {
 /// the studies, and what drifted from the baselines, case by case.
 pub fn execute(args: &RunArgs, studies: &[Study]) -> Result<(Vec<Vec<CaseRun>>, Vec<CaseDrift>), Failure> {
     use_threads(args.threads)?;
+    interrupt::listen()?;
     let settings = settings(args)?;
     let progress = Progress::new(studies.iter().map(|s| run::work(s, &settings)).sum(), args.quiet);
     let results = run::each_case(studies, &settings, |study, case| {
@@ -73,6 +75,9 @@ pub fn execute(args: &RunArgs, studies: &[Study]) -> Result<(Vec<Vec<CaseRun>>, 
     });
     progress.finish();
     run::tidy(&settings);
+    if results.iter().flatten().any(|case| case.as_ref().is_err_and(Failure::is_interruption)) {
+        return Err(interrupt::failure(&args.out));
+    }
     let mut all = Vec::new();
     let mut drifted = Vec::new();
     for (study, cases) in studies.iter().zip(results) {

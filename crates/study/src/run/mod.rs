@@ -19,6 +19,7 @@ mod reference;
 mod refusal;
 mod refused;
 mod slide;
+mod step;
 #[cfg(test)]
 mod tests;
 #[cfg(test)]
@@ -53,6 +54,8 @@ use signorini_contact::solver::Settings;
 use std::cmp::Reverse;
 use std::path::PathBuf;
 use std::sync::OnceLock;
+pub use step::{Step, work};
+use step::{Steps, stepped};
 use timing::{LevelTimes, Stopwatch};
 
 /// How large the meshes are.
@@ -95,10 +98,18 @@ impl Solver {
     }
 }
 
-/// Who is told how far a run has come.
+/// Who is told how far a run has come, and may stop it.
 pub trait Watch: Sync {
-    /// A level, or the reference, is done.
-    fn level_done(&self, _study: &str, _case: &str, _level: usize) {}
+    /// A level, or the reference, is begun.
+    fn begun(&self, _step: &Step<'_>) {}
+
+    /// It is done.
+    fn done(&self, _step: &Step<'_>) {}
+
+    /// Whether the run is to stop: asked before each step. Steps that have begun are finished and kept.
+    fn stops(&self) -> bool {
+        false
+    }
 }
 
 /// Nobody is told.
@@ -187,12 +198,14 @@ fn run_lemma(
     watch: &dyn Watch,
 ) -> Result<CaseRun, RunError> {
     let cells = cells_of(case, settings);
+    let steps = Steps::of(study, case, settings);
     let measure = |index: usize| {
-        let mut clock = Stopwatch::start();
-        let level = lemma.measure(cells, index)?;
-        clock.lap(|t| &mut t.error);
-        watch.level_done(&study.id, &case.name, index);
-        Ok((level, clock.finish()))
+        stepped(watch, &steps.level(index), || {
+            let mut clock = Stopwatch::start();
+            let level = lemma.measure(cells, index)?;
+            clock.lap(|t| &mut t.error);
+            Ok((level, clock.finish()))
+        })
     };
     let (levels, times) = side_by_side(cells.len(), measure)?;
     let reference = if case.reference == ReferencePlan::Exact { Reference::Exact } else { Reference::None };
@@ -232,14 +245,11 @@ fn run_contact(
     // what another program answers may have changed with the program
     let keeps = task.external.is_none();
     let partial = if keeps { Partial::open(study, case, settings, &task)? } else { Partial::none() };
-    let overkill = solve_reference(&task, settings)?;
-    if overkill.is_some() {
-        watch.level_done(&study.id, &case.name, cells.len());
-    }
+    let steps = Steps::of(study, case, settings);
+    let overkill = solve_reference(&task, settings, watch, &steps)?;
     let measure = |index: usize| {
-        let measured = partial.level(index, || measure_level(&task, overkill.as_ref().map(|(o, _)| o), index));
-        watch.level_done(&study.id, &case.name, index);
-        measured
+        let measured = || measure_level(&task, overkill.as_ref().map(|(o, _)| o), index);
+        stepped(watch, &steps.level(index), || partial.level(index, measured))
     };
     let measured: Vec<_> = (0..cells.len()).into_par_iter().map(measure).collect();
     let refused::Parted { solved, refused } = refused::part(measured, cells)?;
@@ -252,12 +262,6 @@ fn run_contact(
     record.verdict = refused::doubted(record.verdict, &refused);
     record.notes.extend(refused.into_iter().chain(level::bilateral::note(&record.levels)));
     Ok(CaseRun { record, times, reference_times: overkill.map(|(_, t)| t), fields, kept: partial })
-}
-
-/// How many times [`Watch::level_done`] will be called for a study: its levels, and one for each reference.
-pub fn work(study: &Study, settings: &RunSettings) -> usize {
-    let of = |case: &Case| cells_of(case, settings).len() + usize::from(reference_cells(case, settings).is_some());
-    study.cases.iter().map(of).sum()
 }
 
 /// The mesh parameters of a case under these settings, coarsest first.
@@ -289,8 +293,14 @@ fn verify_exact(case: &Case, scene: &Scene) -> Result<(), RunError> {
         .map_err(|e| RunError::Exact(e.to_string()))
 }
 
-fn solve_reference(task: &Task, settings: &RunSettings) -> Result<Option<(Overkill, LevelTimes)>, RunError> {
-    reference_cells(task.case, settings).map(|cells| task.overkill(cells)).transpose()
+fn solve_reference(
+    task: &Task,
+    settings: &RunSettings,
+    watch: &dyn Watch,
+    steps: &Steps,
+) -> Result<Option<(Overkill, LevelTimes)>, RunError> {
+    let Some(cells) = reference_cells(task.case, settings) else { return Ok(None) };
+    stepped(watch, &steps.reference(cells), || task.overkill(cells)).map(Some)
 }
 
 /// The mesh parameter of a case's overkill reference.
