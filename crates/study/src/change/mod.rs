@@ -88,12 +88,22 @@ impl Changes {
     /// What the file itself is refused for, with its place; a key that does not exist; what the changed study is refused for, with the
     /// options.
     pub fn apply(&self, text: &str, path: &Path) -> Result<Study, StudyError> {
-        let plain = Study::parse(text, path)?;
+        self.apply_with(text, path, |text| Study::parse(text, path))
+    }
+
+    /// The same where `parse` reads a study's text, which may name files that are found elsewhere than beside it.
+    pub(crate) fn apply_with(
+        &self,
+        text: &str,
+        path: &Path,
+        parse: impl Fn(&str) -> Result<Study, StudyError>,
+    ) -> Result<Study, StudyError> {
+        let plain = parse(text)?;
         if self.is_none() {
             return Ok(plain);
         }
         let (changed, made) = cases::changed(text, &plain, self).map_err(|refused| of_option(path, refused))?;
-        let mut study = Study::parse(&changed, path).map_err(|e| self.blamed(e))?;
+        let mut study = parse(&changed).map_err(|e| self.blamed(e))?;
         self.name(&mut study, made);
         Ok(study)
     }

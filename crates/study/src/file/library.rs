@@ -73,7 +73,10 @@ impl Source {
     /// As [`Changes::apply`].
     pub fn load_changed(&self, changes: &Changes) -> Result<Study, StudyError> {
         match self.shipped {
-            Some(text) => changes.apply(text, &self.path),
+            Some(text) => {
+                let files = Files::Shipped(self.group.folder());
+                changes.apply_with(text, &self.path, |text| Study::parse_with(text, &self.path, &files))
+            }
             None => changes.apply(&super::text(&self.path)?, &self.path),
         }
     }
