@@ -61,10 +61,7 @@ impl Source {
     /// # Errors
     /// As [`Study::load`].
     pub fn load(&self) -> Result<Study, StudyError> {
-        match self.shipped {
-            Some(text) => Study::parse_with(text, &self.path, &Files::Shipped(self.group.folder())),
-            None => Study::load(&self.path),
-        }
+        self.load_changed(&Changes::default())
     }
 
     /// The same with what options change of it.
@@ -75,7 +72,7 @@ impl Source {
         match self.shipped {
             Some(text) => {
                 let files = Files::Shipped(self.group.folder());
-                changes.apply_with(text, &self.path, |text| Study::parse_with(text, &self.path, &files))
+                changes.apply_by(text, &self.path, |text| Study::parse_with(text, &self.path, &files))
             }
             None => changes.apply(&super::text(&self.path)?, &self.path),
         }
