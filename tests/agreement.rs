@@ -5,7 +5,7 @@
 use rayon::prelude::*;
 use signorini_study::file::library::shipped;
 use signorini_study::record::{Level, Reference, StudyRecord};
-use signorini_study::run::{Alone, Method, Profile, RunSettings, Unwatched, run_case};
+use signorini_study::run::{Alone, Method, Profile, RunSettings, Solver, Unwatched, run_case};
 use signorini_study::study::{Case, ReferencePlan, Study};
 
 /// Scaled residuals of the optimality conditions.
@@ -28,7 +28,13 @@ fn coarse_studies() -> Vec<Study> {
 }
 
 fn run(study: &Study, solver: Option<Method>) -> Vec<StudyRecord> {
-    let settings = RunSettings { profile: Profile::Quick, levels: None, solver, partial: None };
+    let settings = RunSettings {
+        profile: Profile::Quick,
+        levels: None,
+        solver: solver.map(Solver::Own),
+        partial: None,
+        keep: Default::default(),
+    };
     let one = |case| run_case(study, case, &settings, &Unwatched).expect("a run").record;
     study.cases.par_iter().map(one).collect()
 }

@@ -75,7 +75,7 @@ fn what_cannot_be_measured_is_refused_with_the_way_out() {
         ("two-squares --dofs 310..320", vec!["no level of 'two-squares' has between 310 and 320 unknowns: it has 297"]),
         ("--dofs 1e5", vec!["--dofs", "two numbers with .. between them"]),
         ("--dofs 1e5..1e3", vec!["--dofs", "swap the two"]),
-        ("--max-dofs many", vec!["--max-dofs", "`many` is no whole number from 1 to 1e8"]),
+        ("--max-dofs many", vec!["--max-dofs", "`many` is no whole number from 1 to 2e9"]),
         ("--solvers condensed,magic", vec!["--solvers", "magic", "interior-point"]),
         ("--repeat 0", vec!["--repeat"]),
     ] {

@@ -117,9 +117,16 @@ fn check_does_everything_but_the_solve() {
     folder.signorini("check loaded").complains(2, &["loaded.toml", "translation of Ω' along (0, 1)"]);
 }
 
-const OF_A_CASE: [&str; 11] = [
+const OF_A_CASE: [&str; 18] = [
+    "deformed.png",
+    "deformed.svg",
+    "fields/level-1-zone.vtu",
+    "fields/level-1.json",
+    "fields/level-1.vtu",
     "ledger.png",
     "ledger.svg",
+    "mesh.png",
+    "mesh.svg",
     "pressure.png",
     "pressure.svg",
     "rates.png",
@@ -256,7 +263,7 @@ fn a_table_has_a_row_for_each_level_and_pictures_are_pictures() {
     let dofs = rows[0].split(',').position(|c| c == "dofs").expect("a column of dofs");
     let column: Vec<&str> = rows[1..].iter().map(|r| r.split(',').nth(dofs).expect("a cell")).collect();
     assert_eq!(column, ["288", "1088", "4224", "16640"]);
-    for picture in ["rates", "ledger"] {
+    for picture in ["rates", "ledger", "mesh", "deformed"] {
         let png = std::fs::read(folder.path(&format!("reports/smooth/{picture}.png"))).expect("a picture");
         assert_eq!(&png[..8], b"\x89PNG\r\n\x1a\n");
         assert!(folder.text(&format!("reports/smooth/{picture}.svg")).starts_with("<svg"));

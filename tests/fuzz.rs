@@ -67,7 +67,8 @@ fn random_scenes_are_certified_or_refused() {
 
 fn run(text: &str) -> Result<StudyRecord, RunError> {
     let study = Study::parse(text, Path::new("random.toml")).unwrap_or_else(|e| panic!("the generator: {e}"));
-    let settings = RunSettings { profile: Profile::Quick, levels: None, solver: None, partial: None };
+    let settings =
+        RunSettings { profile: Profile::Quick, levels: None, solver: None, partial: None, keep: Default::default() };
     run_case(&study, &study.cases[0], &settings, &Unwatched).map(|run| run.record)
 }
 

@@ -1,16 +1,23 @@
 //! The command line: what may be typed.
 
+use crate::change::ChangeArgs;
+use crate::fields::FieldsArg;
+use crate::gate::GateArgs;
+use crate::help;
+use crate::new::NewArgs;
+use crate::schema::Of;
+use crate::solver::SolverArgs;
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap_complete::Shell;
 use std::path::PathBuf;
 
 /// A laboratory for the convergence of finite elements in elastic contact.
 ///
 /// Refines families of triangulations, measures errors against exact or overkill solutions, fits the observed rates and
 /// holds them against the bounds of Haslinger & Hlaváček, "Contact between elastic bodies II".
-///
-/// Exit status: 0 all pass; 1 a gate failed; 2 could not judge, or bad input.
 #[derive(Parser, Debug)]
 #[command(name = "signorini", version = crate::VERSION, args_conflicts_with_subcommands = true)]
+#[command(after_help = help::PROGRAM)]
 pub struct Cli {
     /// What to do; without it the studies are run.
     #[command(subcommand)]
@@ -21,33 +28,115 @@ pub struct Cli {
 }
 
 /// The names of the commands, for who mistypes one.
-pub const COMMANDS: [&str; 8] = ["run", "list", "check", "bless", "report", "bench", "falsify", "coverage"];
+pub const COMMANDS: [&str; 13] = [
+    "run",
+    "list",
+    "check",
+    "bless",
+    "report",
+    "bench",
+    "falsify",
+    "coverage",
+    "new",
+    "explain",
+    "schema",
+    "completions",
+    "man",
+];
 
 /// The commands.
 #[derive(Subcommand, Debug)]
 pub enum Command {
     /// Run studies: measure, fit, judge, write records, tables and plots (the default).
+    ///
+    /// Solves each study on every level of its family, measures the errors against an exact or a finer solution, fits the observed
+    /// rate with its 95 % interval, and gives a verdict: pass, fail or inconclusive.
+    #[command(after_help = help::RUN)]
     Run(RunArgs),
     /// List every claim and study: id, claim, title.
+    ///
+    /// The studies are those in studies/ of the current folder or the nearest parent that has some, else those shipped with the
+    /// program. Below them stands every statement of the paper, with the studies that judge it.
     List,
+    /// Write a commented study file that runs as it is.
+    ///
+    /// Two straight bodies, loads, a contact zone, a family of meshes and a reference, with a comment on every key: change what you
+    /// like and run it. A file that is there is never overwritten.
+    #[command(after_help = help::NEW)]
+    New(NewArgs),
+    /// Explain a claim: statement, hypotheses, bounds, sources, studies.
+    ///
+    /// Prints what the claim says, what it supposes, the paper's bound and today's with where they come from, how it is judged, and
+    /// which studies judge it.
+    #[command(after_help = help::EXPLAIN)]
+    Explain {
+        /// Id of the claim, e.g. theorem-3-1.
+        #[arg(value_name = "CLAIM")]
+        claim: String,
+    },
     /// Parse, mesh, verify, test solvability and count unknowns: everything but the solve.
+    ///
+    /// Reads the study as `run` would, makes every mesh and measures it against the hypotheses, verifies an exact solution pointwise,
+    /// looks for rigid motions that the load excites, and computes the exponents at the corners.
     Check(CheckArgs),
     /// Run studies and store their energies, errors and rates as baselines in reference/.
+    ///
+    /// Later runs are compared with them: what has moved is reported beside the verdict, and fails a run with --strict. This is the
+    /// only command that writes baselines; read the difference before you commit it.
     Bless(RunArgs),
     /// Measure speed against error: seconds and bytes of every solver on refined meshes, beside the floors of the machine.
+    ///
+    /// Every level under every solver is computed in a process of its own, in rounds that visit all of them; medians are reported,
+    /// with the bandwidth of the memory, one product with the matrix and the linear problem on the same mesh beside them.
+    #[command(after_help = help::BENCH)]
     Bench(BenchArgs),
     /// Carry out one measurement of `bench`, described on standard input.
     #[command(name = "bench-one", hide = true)]
     BenchOne,
     /// Search for counterexamples: scenes drawn at random within the hypotheses of a claim, the worst kept as a study.
+    ///
+    /// Keeps the smallest rate and the largest constant, makes both scenes simpler as long as they stay nearly as bad, and saves
+    /// them as study files. A candidate for a counterexample ends the command with status 1.
+    #[command(after_help = help::FALSIFY)]
     Falsify(FalsifyArgs),
     /// Measure how often the 95 % interval holds the true slope, on made-up errors.
+    ///
+    /// Draws series of errors with a known slope and noise, fits them as a run does, and counts how often the interval holds the
+    /// truth, with and without the choice of the window.
     Coverage(CoverageArgs),
     /// Render tables and plots again from the records in a folder.
+    ///
+    /// Reads records and nothing else: no study is solved. The exit status is that of the run that wrote them.
     Report {
         /// The folder with the records.
         #[arg(default_value = "reports")]
         dir: PathBuf,
+    },
+    /// Print the JSON Schema of study files or of records.
+    ///
+    /// An editor completes and checks study files by the first; programs that read records find every field in the second.
+    #[command(after_help = help::SCHEMA)]
+    Schema {
+        /// What the schema is of.
+        #[arg(value_enum)]
+        of: Of,
+    },
+    /// Print completions for a shell.
+    ///
+    /// Completes commands, options and their words; where to put them depends on the shell.
+    #[command(after_help = help::COMPLETIONS)]
+    Completions {
+        /// The shell.
+        #[arg(value_enum)]
+        shell: Shell,
+    },
+    /// Print the man page, or write a page for each command.
+    ///
+    /// Without --out the page of the program goes to standard output: signorini man | man -l -
+    Man {
+        /// Write signorini.1 and a page for each command into this folder.
+        #[arg(long, value_name = "DIR")]
+        out: Option<PathBuf>,
     },
 }
 
@@ -58,26 +147,35 @@ pub struct RunArgs {
     #[arg(value_name = "STUDY")]
     pub studies: Vec<String>,
     /// How large the meshes are.
-    #[arg(long, value_enum, default_value_t = ProfileArg::Quick)]
+    #[arg(long, value_enum, default_value_t = ProfileArg::Quick, help_heading = "Sizes")]
     pub profile: ProfileArg,
     /// Take N levels, counted from the coarsest, instead of the profile's own number.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..), help_heading = "Sizes")]
     pub levels: Option<u16>,
     /// Where records, tables and plots go.
-    #[arg(long, value_name = "DIR", default_value = "reports")]
+    #[arg(long, value_name = "DIR", default_value = "reports", help_heading = "Output")]
     pub out: PathBuf,
-    /// Solve with this method instead of the study's own.
-    #[arg(long, value_enum, value_name = "NAME")]
-    pub solver: Option<SolverArg>,
+    /// The solver, in place of the study's own.
+    #[command(flatten)]
+    pub solver: SolverArgs,
     /// Threads; all processors by default. Results do not depend on it.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..), help_heading = "Machine")]
     pub threads: Option<u16>,
-    /// Let drift from the baselines in reference/ fail the run.
-    #[arg(long)]
+    /// Let drift from the baselines in reference/ fail the run, and show it as a table.
+    #[arg(long, help_heading = "Gate")]
     pub strict: bool,
     /// Print nothing but errors and the summary.
-    #[arg(long)]
+    #[arg(long, help_heading = "Output")]
     pub quiet: bool,
+    /// Keys that are overridden.
+    #[command(flatten)]
+    pub change: ChangeArgs,
+    /// Fields of levels.
+    #[command(flatten)]
+    pub fields: FieldsArg,
+    /// What a service of continuous integration is told.
+    #[command(flatten)]
+    pub gate: GateArgs,
 }
 
 /// Arguments of `check`.
@@ -89,6 +187,9 @@ pub struct CheckArgs {
     /// How large the meshes are.
     #[arg(long, value_enum, default_value_t = ProfileArg::Quick)]
     pub profile: ProfileArg,
+    /// Keys that are overridden.
+    #[command(flatten)]
+    pub change: ChangeArgs,
 }
 
 /// `--profile`.
@@ -143,6 +244,9 @@ pub struct BenchArgs {
     /// Print nothing but errors and the tables.
     #[arg(long)]
     pub quiet: bool,
+    /// Keys that are overridden.
+    #[command(flatten)]
+    pub change: ChangeArgs,
 }
 
 /// `--dofs`: least and most unknowns.
@@ -155,7 +259,7 @@ pub struct DofsRange {
 }
 
 /// Most unknowns where `--dofs` names no end: what fits in the memory of large machines.
-const ENDLESS: usize = 100_000_000;
+const ENDLESS: usize = 2_000_000_000;
 
 fn dofs_range(text: &str) -> Result<DofsRange, String> {
     let (a, b) = text.split_once("..").ok_or("two numbers with .. between them, e.g. 1e3..1e5")?;
@@ -171,7 +275,7 @@ fn dofs_range(text: &str) -> Result<DofsRange, String> {
 fn count(text: &str) -> Result<usize, String> {
     match text.parse::<f64>() {
         Ok(x) if (1.0..=ENDLESS as f64).contains(&x) && x.fract() == 0.0 => Ok(x as usize),
-        _ => Err(format!("`{text}` is no whole number from 1 to 1e8, such as 100000 or 1e5")),
+        _ => Err(format!("`{text}` is no whole number from 1 to 2e9, such as 100000 or 1e5")),
     }
 }
 

@@ -5,11 +5,13 @@
 
 use crate::VERSION;
 use crate::args::{BenchArgs, SolverArg};
+use crate::change::load_changed;
 use crate::failure::Failure;
 use crate::progress::Count;
-use crate::run::{load, method, use_threads};
+use crate::run::{method, use_threads};
 use clap::ValueEnum;
 use signorini_study::bench::{BenchRecord, Job, Outcome, Plan, Sizes, Subject, carry_out, measure};
+use signorini_study::change::Changes;
 use signorini_study::record::to_json;
 use signorini_study::study::Study;
 use signorini_study::verdict;
@@ -63,13 +65,14 @@ pub fn one() -> Result<u8, Failure> {
     std::io::stdin().read_to_string(&mut text).map_err(|e| broken(format!("no job: {e}")))?;
     let (threads, job): (u16, Job) = serde_json::from_str(&text).map_err(|e| broken(format!("no job: {e}")))?;
     use_threads(Some(threads))?;
-    let outcome = carry_out(&job, load_one)?;
+    let outcome = carry_out(&job, |job: &Job| load_one(&job.study, &job.changes))?;
     let text = to_json(&outcome).map_err(|e| broken(format!("the outcome cannot be told: {e}")))?;
     say!("{text}");
     Ok(0)
 }
 
 fn plan(args: &BenchArgs) -> Result<Plan, Failure> {
+    let changes = args.change.changes()?;
     let default = DEFAULT.map(str::to_owned);
     let names = if args.studies.is_empty() { &default[..] } else { &args.studies };
     let mut solvers = Vec::new();
@@ -86,7 +89,7 @@ fn plan(args: &BenchArgs) -> Result<Plan, Failure> {
     };
     let processors = || std::thread::available_parallelism().map_or(1, usize::from);
     Ok(Plan {
-        subjects: names.iter().map(|n| subject(n)).collect::<Result<_, _>>()?,
+        subjects: names.iter().map(|n| subjects(n, &changes)).collect::<Result<Vec<_>, _>>()?.concat(),
         solvers,
         sizes,
         repeat: usize::from(args.repeat),
@@ -95,15 +98,15 @@ fn plan(args: &BenchArgs) -> Result<Plan, Failure> {
     })
 }
 
-/// `STUDY` or `STUDY/CASE`; a path to a file has blanks and slashes of its own.
-fn subject(name: &str) -> Result<Subject, Failure> {
+/// `STUDY` or `STUDY/CASE`, and what the changes made of it; a path to a file has blanks and slashes of its own.
+fn subjects(name: &str, changes: &Changes) -> Result<Vec<Subject>, Failure> {
     let (study, case) = match name.rsplit_once('/') {
         Some((study, case)) if !is_file(name) => (study, Some(case)),
         _ => (name, None),
     };
-    let loaded = load_one(study)?;
+    let loaded = load_one(study, changes)?;
     // the case of another process is found by name, so the whole word is checked here
-    Subject::new(study.to_owned(), loaded, case).map_err(|e| {
+    Subject::changed(study, &loaded, case, changes).map_err(|e| {
         Failure::new(e.to_string(), "`signorini list` shows every study, `signorini check STUDY` its cases")
     })
 }
@@ -113,8 +116,8 @@ fn is_file(name: &str) -> bool {
 }
 
 /// The one study that a name stands for.
-fn load_one(name: &str) -> Result<Study, Failure> {
-    let mut studies = load(&[name.to_owned()])?;
+fn load_one(name: &str, changes: &Changes) -> Result<Study, Failure> {
+    let mut studies = load_changed(&[name.to_owned()], changes)?;
     match (studies.pop(), studies.is_empty()) {
         (Some(study), true) => Ok(study),
         _ => Err(Failure::new(

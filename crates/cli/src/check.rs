@@ -1,8 +1,9 @@
 //! `signorini check`: everything but the solve.
 
 use crate::args::CheckArgs;
+use crate::change::load_changed;
 use crate::failure::Failure;
-use crate::run::{load, profile};
+use crate::run::profile;
 use signorini_study::error::RunError;
 use signorini_study::record::Corner;
 use signorini_study::run::{CheckedLevel, Profile, check_case, check_corners, check_refusal};
@@ -10,7 +11,7 @@ use signorini_study::study::{Case, Study};
 
 /// Prints what each case would do, level by level.
 pub fn check(args: &CheckArgs) -> Result<u8, Failure> {
-    for study in load(&args.studies)? {
+    for study in load_changed(&args.studies, &args.change.changes()?)? {
         sayln!("{}: {} ({})", study.id, study.title, study.claim.statement);
         study.claim.hypotheses.iter().for_each(|h| sayln!("  needs: {h}"));
         for case in &study.cases {

@@ -2,6 +2,7 @@
 
 use crate::failure::Failure;
 use signorini_report::summary_text;
+use signorini_study::fields::store::read_fields;
 use signorini_study::{store, verdict};
 use std::path::Path;
 
@@ -13,7 +14,8 @@ pub fn report(dir: &Path) -> Result<u8, Failure> {
         return Err(Failure::new(format!("{} holds no record", dir.display()), hint));
     }
     for record in &records {
-        signorini_report::render(record, &store::record_folder(dir, record)?)?;
+        let folder = store::record_folder(dir, record)?;
+        signorini_report::render_with(record, &read_fields(&folder)?, &folder)?;
     }
     signorini_report::render_summary(&records, dir)?;
     say!("{}", summary_text(&records));

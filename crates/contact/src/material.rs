@@ -29,10 +29,12 @@ pub struct Lame {
 pub struct Material {
     c: [[f64; 3]; 3],
     lame: Option<Lame>,
+    /// `τ_33 = across · (τ_11, τ_22)`.
+    across: [f64; 2],
 }
 
 impl Material {
-    /// Any law by its symmetric matrix `C`. Refused unless `c_ijkl e_ij e_kl ≥ c0 e_ij e_ij` with `c0 > 0` (2.7).
+    /// Any law by its symmetric matrix `C`, which says nothing of the stress across the plane: it counts as none. Refused unless `c_ijkl e_ij e_kl ≥ c0 e_ij e_ij` with `c0 > 0` (2.7).
     pub fn general(c: [[f64; 3]; 3]) -> Result<Self, Error> {
         Self::checked(c, None)
     }
@@ -40,7 +42,10 @@ impl Material {
     /// Isotropic, by `λ` and `μ` of plane strain.
     pub fn lame(lambda: f64, mu: f64) -> Result<Self, Error> {
         let normal = lambda + 2.0 * mu;
-        Self::checked([[normal, lambda, 0.0], [lambda, normal, 0.0], [0.0, 0.0, mu]], Some(Lame { lambda, mu }))
+        let law =
+            Self::checked([[normal, lambda, 0.0], [lambda, normal, 0.0], [0.0, 0.0, mu]], Some(Lame { lambda, mu }))?;
+        // plane strain: ε_33 = 0 leaves τ_33 = λ (ε_11 + ε_22) = λ / 2(λ+μ) (τ_11 + τ_22)
+        Ok(Self { across: [lambda / (2.0 * (lambda + mu)); 2], ..law })
     }
 
     /// Isotropic, by Young's modulus `E > 0` and Poisson's ratio `−1 < ν < ½`.
@@ -59,7 +64,8 @@ impl Material {
             Plane::Strain => young * poisson / ((1.0 + poisson) * (1.0 - 2.0 * poisson)),
             Plane::Stress => young * poisson / (1.0 - poisson * poisson),
         };
-        Self::lame(lambda, mu)
+        let law = Self::lame(lambda, mu)?;
+        Ok(if plane == Plane::Stress { Self { across: [0.0; 2], ..law } } else { law })
     }
 
     /// Orthotropic along the axes: moduli `E_1, E_2, E_3`, ratios `ν_12, ν_13, ν_23` (`ν_ij/E_i = ν_ji/E_j`), shear modulus
@@ -75,7 +81,10 @@ impl Material {
             s12 -= n13 / e1 * (n23 / e2) * e3;
         }
         let det = s11 * s22 - s12 * s12;
-        Self::checked([[s22 / det, -s12 / det, 0.0], [-s12 / det, s11 / det, 0.0], [0.0, 0.0, shear]], None)
+        let law = Self::checked([[s22 / det, -s12 / det, 0.0], [-s12 / det, s11 / det, 0.0], [0.0, 0.0, shear]], None)?;
+        // plane strain: 0 = ε_33 = τ_33/E_3 − ν_13 τ_11/E_1 − ν_23 τ_22/E_2
+        let across = if plane == Plane::Strain { [n13 * e3 / e1, n23 * e3 / e2] } else { [0.0; 2] };
+        Ok(Self { across, ..law })
     }
 
     fn checked(c: [[f64; 3]; 3], lame: Option<Lame>) -> Result<Self, Error> {
@@ -94,7 +103,7 @@ impl Material {
                 "c_ijkl is not positive: its smallest modulus c0 = {c0:.3e} must be positive (2.7); C = {c:?}"
             )));
         }
-        Ok(Self { c, lame })
+        Ok(Self { c, lame, across: [0.0; 2] })
     }
 
     /// The matrix `C`, acting on `(ε_11, ε_22, 2ε_12)`.
@@ -118,6 +127,17 @@ impl Material {
     pub fn stress(&self, strain: Sym2) -> Sym2 {
         let e = [strain[0], strain[1], 2.0 * strain[2]];
         self.c.map(|c| c[0] * e[0] + c[1] * e[1] + c[2] * e[2])
+    }
+
+    /// `τ_33`, the stress across the plane: that of plane strain, or zero in plane stress and of a law given by its matrix.
+    pub fn stress_across(&self, stress: Sym2) -> f64 {
+        self.across[0] * stress[0] + self.across[1] * stress[1]
+    }
+
+    /// The stress of von Mises, `√(½[(τ_11−τ_22)² + (τ_22−τ_33)² + (τ_33−τ_11)²] + 3τ_12²)`, in units of stress.
+    pub fn von_mises(&self, stress: Sym2) -> f64 {
+        let ([a, b, shear], c) = (stress, self.stress_across(stress));
+        (0.5 * ((a - b).powi(2) + (b - c).powi(2) + (c - a).powi(2)) + 3.0 * shear * shear).sqrt()
     }
 }
 
@@ -169,6 +189,33 @@ mod tests {
                 assert!((a - b).abs() < 1e-14, "{plane:?}: {a} {b}");
             }
         }
+    }
+
+    /// Textbook values: uniaxial stress has its own size, pure shear √3 times it; in plane strain a uniaxial stress `s` is
+    /// accompanied by `τ_33 = ν s`, so `s √(1 − ν + ν²)`.
+    #[test]
+    fn von_mises_of_uniaxial_stress_and_of_shear_in_both_planes() {
+        let nu = 0.3;
+        for (plane, uniaxial) in [(Plane::Stress, 1.0), (Plane::Strain, f64::sqrt(1.0 - nu + nu * nu))] {
+            let laws = [
+                Material::isotropic(2.6, nu, plane).unwrap(),
+                Material::orthotropic([2.6; 3], [nu; 3], 1.0, plane).unwrap(),
+            ];
+            for law in laws {
+                assert!((law.von_mises([2.0, 0.0, 0.0]) - 2.0 * uniaxial).abs() < 1e-14, "{plane:?}");
+                assert!((law.von_mises([0.0, 2.0, 0.0]) - 2.0 * uniaxial).abs() < 1e-14, "{plane:?}");
+                assert!((law.von_mises([0.0, 0.0, 2.0]) - 2.0 * f64::sqrt(3.0)).abs() < 1e-14, "{plane:?}");
+            }
+        }
+    }
+
+    /// The strain across the plane vanishes: `E_3 ε_33 = τ_33 − E_3 (ν_13 τ_11/E_1 + ν_23 τ_22/E_2)`.
+    #[test]
+    fn plane_strain_of_an_orthotropic_law_holds_the_strain_across() {
+        let law = Material::orthotropic([1.0, 2.0, 4.0], [0.2, 0.1, 0.15], 0.7, Plane::Strain).unwrap();
+        let stress = [0.3, -0.8, 0.1];
+        let strain = law.stress_across(stress) / 4.0 - 0.1 * stress[0] / 1.0 - 0.15 * stress[1] / 2.0;
+        assert!(strain.abs() < 1e-16, "{strain}");
     }
 
     #[test]

@@ -151,7 +151,10 @@ impl Problem<'_> {
     }
 
     /// What each node may do, from the parts that its sides belong to.
-    fn node_supports(&self) -> Result<NodeSupports, Error> {
+    ///
+    /// # Errors
+    /// [`Error::Boundary`] where parts that meet contradict one another, [`Error::Load`] for data that are no number.
+    pub fn node_supports(&self) -> Result<NodeSupports, Error> {
         let mut nodes = NodeSupports::new(self.mesh.points.len());
         self.each_side_end(Support::Sliding, |node, normal, _| slide(nodes.of_mut(node), normal));
         let mut fixed = BTreeSet::new();

@@ -18,6 +18,7 @@ pub use border::remove_imbalance;
 pub use certificate::{Certificate, CertificateScales, certify};
 
 use crate::sparse::BlockMatrix;
+use rayon::prelude::*;
 
 /// An upper bound `x_dof ≤ upper`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -63,7 +64,7 @@ pub(crate) fn energy_of(matrix: &BlockMatrix, load: &[f64], x: &[f64]) -> f64 {
 pub fn residual(qp: &BoundQp, x: &[f64]) -> Vec<f64> {
     let mut r = vec![0.0; x.len()];
     qp.matrix.apply(x, &mut r);
-    r.iter_mut().zip(&qp.load).for_each(|(r, f)| *r = f - *r);
+    r.par_iter_mut().with_min_len(1 << 14).zip(&qp.load).for_each(|(r, f)| *r = f - *r);
     r
 }
 

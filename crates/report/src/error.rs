@@ -11,9 +11,15 @@ pub enum ReportError {
     /// The CSV writer refused.
     #[error("report: csv: {0}")]
     Csv(#[from] csv::Error),
+    /// The XML writer refused.
+    #[error("report: junit: {0}")]
+    Junit(String),
     /// The JSON writer refused.
     #[error("report: json: {0}")]
     Json(#[from] serde_json::Error),
+    /// The page could not be put together.
+    #[error("report: page: {0}")]
+    Page(String),
     /// The picture could not be drawn or encoded.
     #[error("report: picture: {0}")]
     Picture(String),

@@ -1,6 +1,7 @@
 //! The page of one case: question, claim, set-up, verdict, tables and pictures, in the order a reader asks.
 
 use crate::borderline;
+use crate::changed;
 use crate::corner;
 use crate::coverage;
 use crate::extrapolation;
@@ -26,15 +27,18 @@ pub struct Pictures {
     pub parts: bool,
     /// `pressure.png`.
     pub pressure: bool,
+    /// `mesh.svg` and `deformed.svg`.
+    pub bodies: bool,
 }
 
 /// `report.md` of one case.
 pub fn page(record: &StudyRecord, pictures: Pictures) -> String {
     let sections = [
         head(record),
+        section("Changed", &changed::section(record)),
         section("Question", &record.question),
         claim(record),
-        set_up(record),
+        set_up(record, pictures.bodies),
         verdict_section(record),
         section("What would refute it", &record.refuted_by),
         errors(record, pictures.rates),
@@ -43,6 +47,7 @@ pub fn page(record: &StudyRecord, pictures: Pictures) -> String {
         table_section("Corners", &corner::table(record), &corners_legend(record)),
         table_section("Energies", &extrapolation::table(record), &energies_legend(record)),
         table_section("Contact", &levels::contact(record), CONTACT_LEGEND),
+        deformed(pictures.bodies),
         pressure(record, pictures.pressure),
         certificate(record),
         notes(record),
@@ -154,7 +159,8 @@ fn hypotheses(record: &StudyRecord) -> String {
     format!("Hypotheses: {}.\n\n", record.hypotheses.join("; "))
 }
 
-pub(crate) fn kind_words(kind: ClaimKind) -> &'static str {
+/// How a claim is judged, in words.
+pub fn kind_words(kind: ClaimKind) -> &'static str {
     match kind {
         ClaimKind::Rate => "a rate",
         ClaimKind::Inequality => "an inequality on every level",
@@ -204,7 +210,7 @@ fn fit_words(rate: &Rate) -> String {
     )
 }
 
-fn set_up(record: &StudyRecord) -> String {
+fn set_up(record: &StudyRecord, picture: bool) -> String {
     let mut lines = vec![format!("- Family: {}", family_words(record))];
     lines.extend(regularity::angles(record).map(|words| format!("- Angles: {words}")));
     lines.extend(regularity::sentence(record).map(|words| format!("- Regularity: {words}")));
@@ -217,7 +223,8 @@ fn set_up(record: &StudyRecord) -> String {
         let words: Vec<String> = values.map(|(name, x)| format!("{name} = {x}")).collect();
         lines.push(format!("- Parameters: {}", words.join(", ")));
     }
-    section("Set-up", &format!("{}\n\n{}", record.setup.trim(), lines.join("\n")))
+    let image = image(picture, "mesh.svg", "Both bodies, their triangles, boundary parts and contact zone");
+    section("Set-up", &format!("{}\n\n{}\n\n{image}", record.setup.trim(), lines.join("\n")))
 }
 
 fn family_words(record: &StudyRecord) -> String {
@@ -312,6 +319,11 @@ fn pressure(record: &StudyRecord, picture: bool) -> String {
     section("Contact pressure", &format!("{image}{table}"))
 }
 
+/// The bodies under load.
+fn deformed(picture: bool) -> String {
+    section("Deformed bodies", &image(picture, "deformed.svg", "Deformed bodies with the stress of von Mises"))
+}
+
 fn image(there: bool, file: &str, words: &str) -> String {
     if there { format!("![{words}]({file})\n\n") } else { String::new() }
 }
@@ -328,7 +340,7 @@ pub fn command(record: &StudyRecord) -> String {
         "custom" => format!(" --levels {}", record.levels.len()),
         profile => format!(" --profile {profile}"),
     };
-    format!("signorini run {}{sizes}", record.study)
+    format!("signorini run {}{sizes}", changed::arguments(record))
 }
 
 fn reproduce(record: &StudyRecord) -> String {

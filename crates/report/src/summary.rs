@@ -90,6 +90,25 @@ fn text_table(records: &[StudyRecord]) -> Table {
     Table { rows: rows.collect(), columns: columns.map(|heading| Column::new(heading, heading)).to_vec() }
 }
 
+/// The same for papers: claim and case in words, no links.
+pub(crate) fn latex_table(records: &[StudyRecord]) -> Table {
+    let columns = [
+        ("claim", "claim"),
+        ("name", "study · case"),
+        ("norm", "norm"),
+        ("observed", "observed rate [95 %]"),
+        ("paper", "paper"),
+        ("today", "today"),
+        ("expected", "expected"),
+        ("outcome", "verdict"),
+    ];
+    let rows = records.iter().map(|r| Row {
+        cells: [vec![Cell::text(&r.claim), Cell::text(name(r))], figures(r, format::interval)].concat(),
+        excluded: None,
+    });
+    Table { rows: rows.collect(), columns: columns.map(|(key, heading)| Column::new(key, heading)).to_vec() }
+}
+
 /// Norm, observed rate with its interval as `shown` writes it, the three bounds, verdict.
 fn figures(record: &StudyRecord, shown: fn(f64, f64, f64) -> String) -> Vec<Cell> {
     let observed = judged_rate(record).map(|r| shown(r.slope, r.low, r.high));

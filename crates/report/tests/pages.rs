@@ -76,7 +76,8 @@ fn a_number_that_is_none_is_refused_and_named() {
 #[test]
 fn page_answers_in_the_order_of_the_questions() {
     let record = common::healthy();
-    let page = markdown::page(&record, markdown::Pictures { rates: true, ledger: true, parts: false, pressure: false });
+    let page =
+        markdown::page(&record, markdown::Pictures { rates: true, ledger: true, parts: false, ..Default::default() });
     let order = [
         "# Two blocks in flat contact",
         "**pass**",

@@ -1,5 +1,6 @@
 //! Why a study could not be run.
 
+use crate::external::ExternalError;
 use crate::study::{Case, Study};
 
 /// Meaningless input or a file that cannot be used; a solve that ended badly is part of the record instead.
@@ -19,6 +20,12 @@ pub enum RunError {
         /// What is wrong with it.
         source: Box<Self>,
     },
+    /// Another program that was to solve a level has not.
+    #[error("{0}")]
+    External(String),
+    /// The run was asked to stop; levels that were done are kept.
+    #[error("interrupted")]
+    Interrupted,
     /// No reference solution.
     #[error("reference: {0}")]
     Reference(String),
@@ -42,11 +49,36 @@ impl RunError {
         Self::InCase { case: case.name.clone(), source: Box::new(self) }
     }
 
+    /// Whether an external solver is to blame.
+    pub fn is_of_external(&self) -> bool {
+        match self {
+            Self::InCase { source, .. } => source.is_of_external(),
+            other => matches!(other, Self::External(_)),
+        }
+    }
+
+    /// Whether the run was asked to stop.
+    pub fn is_interruption(&self) -> bool {
+        match self {
+            Self::InCase { source, .. } => source.is_interruption(),
+            other => matches!(other, Self::Interrupted),
+        }
+    }
+
     /// Whether a file or folder is to blame, and not the study.
     pub fn is_of_files(&self) -> bool {
         match self {
             Self::InCase { source, .. } => source.is_of_files(),
             other => matches!(other, Self::Store(_)),
+        }
+    }
+}
+
+impl From<ExternalError> for RunError {
+    fn from(e: ExternalError) -> Self {
+        match e {
+            ExternalError::Store(e) => Self::Store(e),
+            refused => Self::External(refused.to_string()),
         }
     }
 }

@@ -2,11 +2,14 @@
 //!
 //! A number is `null` exactly where there is no value; a non-finite number is refused by [`StudyRecord::to_json`].
 
+use crate::fields::Fields;
 use crate::finite;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
 mod bilateral;
+mod changed;
 mod corner;
 mod errors;
 mod extrapolation;
@@ -17,6 +20,7 @@ mod second;
 mod splitting;
 mod zone;
 pub use bilateral::BilateralRecord;
+pub use changed::{Changed, Setting};
 pub use corner::{Corner, CornerState, CornerWedge, RayState, corner_rate};
 pub use errors::Errors;
 pub use extrapolation::Extrapolation;
@@ -31,7 +35,7 @@ pub use zone::{ContactMeasure, FormulaValues, PressureSource, ReferencePressure,
 pub const SCHEMA: u32 = 1;
 
 /// The result of one case of a study.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct StudyRecord {
     /// [`SCHEMA`] of the writer.
     pub schema: u32,
@@ -97,10 +101,13 @@ pub struct StudyRecord {
     /// Of a case that was to be refused: it has no levels.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub refusal: Option<Refusal>,
+    /// What options changed of the study before it ran; nothing of a study as its file has it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub changed: Option<Changed>,
 }
 
 /// Which reference the errors are measured against.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Reference {
     /// A closed form.
@@ -136,7 +143,7 @@ impl Reference {
 }
 
 /// One mesh size of a case.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Level {
     /// From 0, the coarsest.
     pub level: usize,
@@ -203,10 +210,14 @@ pub struct Level {
     /// What another solver says, where the study asks one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub second: Option<SecondOpinion>,
+    /// The fields of the level, on their way into [`CaseRun::fields`](crate::run::CaseRun::fields): only while a case is unfinished.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(skip)]
+    pub fields: Option<Box<Fields>>,
 }
 
 /// Scaled residuals of the optimality conditions (no units), recomputed from the raw data.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Kkt {
     /// `‖f−Kx−λ‖_∞ / (‖K‖_∞‖x‖_∞ + ‖f‖_∞)`.
     pub stationarity: f64,
@@ -227,7 +238,7 @@ pub struct Kkt {
 }
 
 /// What else than the discretisation may sit in the measured error, as shares of `errors.energy`.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Budget {
     /// KKT residual in the energy norm.
     pub algebraic: Option<f64>,
@@ -249,7 +260,7 @@ pub struct Budget {
 pub const NO_SOLVER: &str = "none";
 
 /// How a level was solved.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct SolverRecord {
     /// `condensed`, `interior-point`, …
     pub name: String,
@@ -281,7 +292,7 @@ impl Level {
 }
 
 /// A fitted rate, `e ≈ C h^slope`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Rate {
     /// Least-squares slope of `log e` against `log h`.
     pub slope: f64,
@@ -311,7 +322,7 @@ pub struct Rate {
 }
 
 /// What a rate is held against; `None` where there is no such bound.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Bounds {
     /// The paper's.
     pub paper: Option<f64>,
@@ -322,7 +333,7 @@ pub struct Bounds {
 }
 
 /// How a claim is judged.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum ClaimKind {
     /// The fitted rate against the bound.
@@ -342,7 +353,7 @@ pub enum ClaimKind {
 }
 
 /// Pass, fail or inconclusive. Ordered from best to worst, so the worst of several is their maximum.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Outcome {
     /// The claim holds as far as the study can see.
@@ -354,7 +365,7 @@ pub enum Outcome {
 }
 
 /// A judgement with its reasons, for the reader.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Verdict {
     /// What came out.
     pub outcome: Outcome,

@@ -64,6 +64,7 @@ pub(crate) fn level(k: usize, error: f64) -> Level {
         solution_trace: Some(1.0),
         contact: None,
         second: None,
+        fields: None,
     }
 }
 
@@ -99,6 +100,7 @@ pub(crate) fn record(study: &str, case: &str, levels: Vec<Level>) -> StudyRecord
         corners: Vec::new(),
         extrapolation: None,
         refusal: None,
+        changed: None,
     }
 }
 

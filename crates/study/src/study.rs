@@ -4,7 +4,7 @@ use crate::claim::Claim;
 use crate::exact::Exact;
 use crate::family::Family;
 use crate::lemma::Lemma;
-use crate::record::{Bounds, FormulaValues, Outcome};
+use crate::record::{Bounds, Changed, FormulaValues, Outcome};
 use crate::splitting::SplittingPlan;
 use signorini_contact::element::CurvedElement;
 use signorini_contact::geometry::{InitialGap, Piece, SharedCurve};
@@ -84,6 +84,15 @@ pub struct Case {
     /// Everything of the case that can change a number or the verdict, one fact per line: what
     /// [`Case::fingerprint`] hashes.
     pub canonical: String,
+    /// What options changed of the case in the file.
+    pub changed: Option<Changed>,
+}
+
+impl Study {
+    /// The id of the file, also where options changed the study.
+    pub fn id_of_file(&self) -> &str {
+        self.cases.first().and_then(|c| c.changed.as_ref()).map_or(&self.id, |c| &c.study)
+    }
 }
 
 /// What a case measures.

@@ -130,9 +130,20 @@ impl CurvedTriangle<'_> {
 
     /// The same on a patch of the coordinates `(ρ, τ)`.
     pub fn points_within(&self, rho: [f64; 2], tau: [f64; 2], visit: &mut impl FnMut(&ElementPoint, f64)) {
+        self.points_by(&GAUSS_8, rho, tau, visit);
+    }
+
+    /// The same by the product of another rule on `(0, 1)` with itself: `rule` holds nodes and weights.
+    pub fn points_by(
+        &self,
+        rule: &[(f64, f64)],
+        rho: [f64; 2],
+        tau: [f64; 2],
+        visit: &mut impl FnMut(&ElementPoint, f64),
+    ) {
         let (dr, dt) = (rho[1] - rho[0], tau[1] - tau[0]);
-        for (r, wr) in GAUSS_8 {
-            for (t, wt) in GAUSS_8 {
+        for &(r, wr) in rule {
+            for &(t, wt) in rule {
                 let point = self.at(rho[0] + r * dr, tau[0] + t * dt);
                 visit(&point, wr * wt * dr * dt * point.jacobian);
             }

@@ -72,9 +72,18 @@ impl Squares {
 /// The norms of a field of the finite element space: exactly on straight triangles (`L²` by the element mass matrix), by 64
 /// points on those with a curved side.
 pub fn of_linear(mesh: &Mesh, materials: &[Material; 2], v: &[Vec2]) -> Squares {
+    of_nodal(mesh, materials, |i| v[i])
+}
+
+/// The same of the difference `u − v` of two fields, which is nowhere stored.
+pub fn of_linear_difference(mesh: &Mesh, materials: &[Material; 2], u: &[Vec2], v: &[Vec2]) -> Squares {
+    of_nodal(mesh, materials, |i| u[i] - v[i])
+}
+
+fn of_nodal(mesh: &Mesh, materials: &[Material; 2], nodal: impl Fn(usize) -> Vec2 + Sync) -> Squares {
     ordered_sum(mesh.triangles.len(), |t| {
         let body = mesh.body(t);
-        let values = mesh.triangles[t].map(|i| v[i as usize]);
+        let values = mesh.triangles[t].map(|i| nodal(i as usize));
         let mut squares = Squares::default();
         if let Some(curved) = mesh.curved_triangle(t) {
             let material = &materials[body.index()];
@@ -89,9 +98,10 @@ pub fn of_linear(mesh: &Mesh, materials: &[Material; 2], v: &[Vec2]) -> Squares 
 }
 
 /// `∫ |v|² = |T|/12 (|v_0+v_1+v_2|² + Σ|v_k|²)` of the linear field with these values at the corners of a triangle.
-fn square_of_linear([a, b, c]: [Point; 3], values: &[Vec2; 3]) -> f64 {
+pub fn square_of_linear([a, b, c]: [Point; 3], values: &[Vec2; 3]) -> f64 {
     let total: Vec2 = values.iter().sum();
-    0.5 * twice_area(a, b, c) / 12.0 * (total.norm_squared() + values.iter().map(|v| v.norm_squared()).sum::<f64>())
+    0.5 * twice_area(a, b, c).abs() / 12.0
+        * (total.norm_squared() + values.iter().map(|v| v.norm_squared()).sum::<f64>())
 }
 
 /// A displacement and its gradient `g[i][j] = ∂_j u_i` at a point of a body.

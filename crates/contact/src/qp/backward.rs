@@ -1,6 +1,7 @@
 //! Residuals row by row, each against the terms it is made of.
 
 use super::{BoundQp, largest};
+use rayon::prelude::*;
 
 /// A row whose terms lie below this share of `‖K_i‖₁‖x‖_∞` consists of rounding: a body at rest beside one that moves. The share is
 /// 1000 n u for n = 100, as the authors of the rule have it for n unknowns.
@@ -43,19 +44,21 @@ pub(crate) fn row_norm(qp: &BoundQp, x: &[f64], row: usize) -> f64 {
 /// it (W. Oettli, W. Prager, 1964). Where the terms of a row are themselves rounding, `‖K_i‖₁‖x‖_∞` stands for them (M. Arioli,
 /// J. Demmel, I. Duff, 1989). Rows with nothing in them count as 0; a NaN in the residual shows.
 pub(crate) fn backward_error(qp: &BoundQp, x: &[f64], rest: &[f64]) -> f64 {
-    let mut worst = 0.0_f64;
     let reach = largest(x);
-    for node in 0..qp.matrix.rows() {
-        for (k, size) in sizes(qp, x, node).into_iter().enumerate() {
-            let r = rest[2 * node + k].abs();
-            let whole = size.norm * reach;
-            let scale = if size.terms > NOISE * whole { size.terms } else { size.terms + whole };
-            let ratio = if r == 0.0 { 0.0 } else { r / scale };
-            if ratio.is_nan() {
-                return ratio;
-            }
-            worst = worst.max(ratio);
-        }
-    }
-    worst
+    let of_node = |node: usize| {
+        let [a, b] = sizes(qp, x, node);
+        larger(relative(rest[2 * node], &a, reach), relative(rest[2 * node + 1], &b, reach))
+    };
+    (0..qp.matrix.rows()).into_par_iter().with_min_len(4096).map(of_node).reduce(|| 0.0, larger)
+}
+
+fn relative(r: f64, size: &RowSize, reach: f64) -> f64 {
+    let whole = size.norm * reach;
+    let scale = if size.terms > NOISE * whole { size.terms } else { size.terms + whole };
+    if r == 0.0 { 0.0 } else { r.abs() / scale }
+}
+
+/// The larger of two; NaN if one is.
+fn larger(a: f64, b: f64) -> f64 {
+    if a.is_nan() || b <= a { a } else { b }
 }

@@ -45,6 +45,7 @@ pub fn certify(qp: &BoundQp, x: &[f64], multipliers: &[f64], scales: &Certificat
     let pairs = || multipliers.iter().copied().zip(slack.iter().copied());
     let is_weak = |multiplier: f64, slack: f64| !presses(multiplier) && slack < small_slack;
     let mut rest = imbalance(qp, x, multipliers);
+    let stationarity = stationarity(qp, x, &rest);
     for (bound, (multiplier, slack)) in qp.bounds.iter().zip(pairs()) {
         if is_weak(multiplier, slack) {
             rest[bound.dof as usize] = 0.0;
@@ -52,7 +53,7 @@ pub fn certify(qp: &BoundQp, x: &[f64], multipliers: &[f64], scales: &Certificat
     }
     let products = pairs().map(|(multiplier, slack)| (multiplier * slack).abs());
     Certificate {
-        stationarity: stationarity(qp, x, multipliers),
+        stationarity,
         componentwise: backward_error(qp, x, &rest),
         penetration: ratio(largest_deficit(&slack), scales.displacement),
         tension: ratio(largest_deficit(multipliers), max_multiplier),
@@ -72,11 +73,10 @@ fn imbalance(qp: &BoundQp, x: &[f64], multipliers: &[f64]) -> Vec<f64> {
     rest
 }
 
-/// `‖f − Kx − λ‖_∞ / (‖K‖_∞‖x‖_∞ + ‖f‖_∞)`.
-fn stationarity(qp: &BoundQp, x: &[f64], multipliers: &[f64]) -> f64 {
-    let rest = imbalance(qp, x, multipliers);
+/// `‖r‖_∞ / (‖K‖_∞‖x‖_∞ + ‖f‖_∞)` with `r = f − Kx − λ`.
+fn stationarity(qp: &BoundQp, x: &[f64], rest: &[f64]) -> f64 {
     let scale = qp.matrix.norm_inf() * largest(x) + largest(&qp.load);
-    ratio(largest(&rest), scale)
+    ratio(largest(rest), scale)
 }
 
 /// `max(−v)_+`; NaN if any entry is.

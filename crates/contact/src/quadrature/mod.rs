@@ -13,7 +13,7 @@ use crate::geometry::{Point, Segment, twice_area};
 use cut::{crossing, cut_leaf};
 pub use patch::Patch;
 use rules::five_points;
-pub use rules::{GAUSS_8, conical_points, seven_points, six_points, sixteen_points, three_points};
+pub use rules::{GAUSS_4, GAUSS_6, GAUSS_8, conical_points, seven_points, six_points, sixteen_points, three_points};
 
 /// How large a leaf may be relative to its distance from a singular point, unless said otherwise.
 pub const GRADING: f64 = 0.6;

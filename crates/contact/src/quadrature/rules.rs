@@ -64,15 +64,23 @@ pub fn sixteen_points(t: [Point; 3], visit: &mut impl FnMut(Point, f64)) {
 /// degree 5 does not resolve. `x = a + s((b − a) + t(c − b))`, Jacobian `2|T| s`.
 pub fn conical_points([a, b, c]: [Point; 3], visit: &mut impl FnMut(Point, f64)) {
     let twice = twice_area(a, b, c).abs();
-    for (s, ws) in SIX_POINTS {
-        for (t, wt) in SIX_POINTS {
+    for (s, ws) in GAUSS_6 {
+        for (t, wt) in GAUSS_6 {
             visit(a + s * ((b - a) + t * (c - b)), twice * s * ws * wt);
         }
     }
 }
 
-/// Nodes and weights of the Gauss–Legendre rule of 6 points on `(0, 1)`.
-const SIX_POINTS: [(f64, f64); 6] = [
+/// Nodes and weights of the Gauss–Legendre rule of 4 points on `(0, 1)`, exact to degree 7.
+pub const GAUSS_4: [(f64, f64); 4] = [
+    (0.069_431_844_202_973_71, 0.173_927_422_568_726_93),
+    (0.330_009_478_207_571_9, 0.326_072_577_431_273_07),
+    (0.669_990_521_792_428_1, 0.326_072_577_431_273_07),
+    (0.930_568_155_797_026_3, 0.173_927_422_568_726_93),
+];
+
+/// Nodes and weights of the Gauss–Legendre rule of 6 points on `(0, 1)`, exact to degree 11.
+pub const GAUSS_6: [(f64, f64); 6] = [
     (0.033_765_242_898_423_99, 0.085_662_246_189_585_17),
     (0.169_395_306_766_867_74, 0.180_380_786_524_069_3),
     (0.380_690_406_958_401_56, 0.233_956_967_286_345_52),

@@ -96,6 +96,19 @@ fn sides_are_exact_to_degree_nine() {
 }
 
 #[test]
+fn gauss_rules_are_exact_to_their_degree_and_no_further() {
+    for (rule, beyond) in [(GAUSS_4.as_slice(), 1e-5), (&GAUSS_6, 1e-8), (&GAUSS_8, 1e-11)] {
+        let error = |p: u32| {
+            let sum: f64 = rule.iter().map(|&(x, w)| w * x.powi(p as i32)).sum();
+            (sum - 1.0 / f64::from(p + 1)).abs()
+        };
+        let first = 2 * rule.len() as u32;
+        (0..first).for_each(|p| assert!(error(p) < 2e-16, "{first}, degree {p}: {:e}", error(p)));
+        assert!(error(first) > beyond, "degree {first}: {:e}", error(first));
+    }
+}
+
+#[test]
 fn a_kink_on_a_declared_line_costs_nothing() {
     let s = 0.3;
     let cut = Segment { a: Point::new(s, -1.0), b: Point::new(s, 1.0) };

@@ -19,6 +19,7 @@ impl Method {
 impl fmt::Display for Status {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self {
+            Self::Adopted => f.write_str("answer of another program"),
             Self::Converged { steps: 1 } => f.write_str("converged in 1 step"),
             Self::Converged { steps } => write!(f, "converged in {steps} steps"),
             Self::Rescued { cycle: 0, steps } => write!(f, "step limit, rescued in {steps} monotone steps"),

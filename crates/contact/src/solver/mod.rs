@@ -12,6 +12,7 @@ mod condensed;
 mod crossover;
 mod dense;
 mod describe;
+mod foreign;
 mod interior_point;
 mod kernel;
 mod monotone;
@@ -23,6 +24,7 @@ mod schur;
 mod tests;
 
 use crate::qp::BoundQp;
+pub use foreign::adopt;
 pub use multigrid::Accuracy;
 use multigrid::Levels;
 
@@ -173,6 +175,8 @@ pub enum Status {
         /// Steps of the fallback.
         steps: usize,
     },
+    /// The answer was found elsewhere; see [`adopt`].
+    Adopted,
     /// No answer of the wanted accuracy within the limit.
     IterationLimit {
         /// Steps taken.
@@ -185,7 +189,7 @@ pub enum Status {
 impl Status {
     /// Whether the answer may be used.
     pub fn is_solved(&self) -> bool {
-        matches!(self, Self::Converged { .. } | Self::Rescued { .. })
+        matches!(self, Self::Converged { .. } | Self::Rescued { .. } | Self::Adopted)
     }
 }
 

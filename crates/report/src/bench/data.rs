@@ -3,6 +3,7 @@
 use crate::table::{Cell, Column, Row, Table};
 use signorini_study::bench::record::{BenchRecord, BenchStudy, LeftOut, Measured, Seconds, SolverCurve};
 use signorini_study::bench::spread::Spread;
+use signorini_study::record::{Changed, Setting};
 
 /// Columns before the times.
 const HEAD: [&str; 15] = [
@@ -24,8 +25,8 @@ const HEAD: [&str; 15] = [
 ];
 /// Phases and sums, in the order of [`phases`].
 const PHASES: [&str; 8] = ["mesh", "assembly", "setup", "solve", "error", "system", "solution", "total"];
-/// Columns behind the times.
-const TAIL: [&str; 12] = [
+/// Columns behind the times; those of swept values follow.
+const TAIL: [&str; 13] = [
     "peak_bytes",
     "peak_bytes_min",
     "peak_bytes_max",
@@ -38,6 +39,7 @@ const TAIL: [&str; 12] = [
     "ratio_processor",
     "product",
     "matrix_bytes",
+    "closed",
 ];
 
 /// The table: a row for each solver and mesh; where a solver was left out, the reason stands in `excluded`.
@@ -45,20 +47,39 @@ pub fn table(record: &BenchRecord) -> Table {
     let wall = PHASES.iter().flat_map(|p| [format!("wall_{p}"), format!("wall_{p}_min"), format!("wall_{p}_max")]);
     let processor = PHASES.iter().map(|p| format!("processor_{p}"));
     let head = HEAD.iter().map(|c| (*c).to_owned());
-    let keys = head.chain(wall).chain(processor).chain(TAIL.iter().map(|c| (*c).to_owned()));
+    let swept = swept(record);
+    let tail = TAIL.iter().map(|c| (*c).to_owned()).chain(swept.iter().cloned());
+    let keys = head.chain(wall).chain(processor).chain(tail);
     let columns: Vec<Column> = keys.map(|key| Column::new(key.clone(), key)).collect();
     let width = columns.len();
     let mut rows = Vec::new();
     for study in &record.studies {
         for curve in &study.solvers {
-            rows.extend(curve.runs.iter().map(|run| row(study, curve, run)));
-            rows.extend(curve.left_out.iter().map(|left| left_out(study, curve, left, width)));
+            rows.extend(curve.runs.iter().map(|run| row(study, curve, run, &swept)));
+            rows.extend(curve.left_out.iter().map(|left| left_out(study, curve, left, width, &swept)));
         }
     }
     Table { columns, rows }
 }
 
-fn row(study: &BenchStudy, curve: &SolverCurve, run: &Measured) -> Row {
+/// The keys that are swept in any of the studies.
+fn swept(record: &BenchRecord) -> Vec<String> {
+    let mut keys: Vec<String> = Vec::new();
+    for setting in record.studies.iter().filter_map(|s| s.changed.as_ref()).flat_map(Changed::swept) {
+        if !keys.contains(&setting.key) {
+            keys.push(setting.key.clone());
+        }
+    }
+    keys
+}
+
+fn swept_cells(study: &BenchStudy, swept: &[String]) -> Vec<Cell> {
+    let settings: Vec<&Setting> = study.changed.iter().flat_map(Changed::swept).collect();
+    let cell = |s: &Setting| s.number.map_or_else(|| Cell::text(&s.value), Cell::Number);
+    swept.iter().map(|key| settings.iter().find(|s| s.key == *key).map_or(Cell::Missing, |s| cell(s))).collect()
+}
+
+fn row(study: &BenchStudy, curve: &SolverCurve, run: &Measured, swept: &[String]) -> Row {
     let mut cells = mesh_cells(study, curve, run.level);
     cells.extend([
         Cell::text(&run.status),
@@ -85,7 +106,9 @@ fn row(study: &BenchStudy, curve: &SolverCurve, run: &Measured) -> Row {
         Cell::number(linear.and_then(|l| l.ratio_processor)),
         Cell::number(size.product.map(|p| p.median)),
         Cell::number(size.matrix_bytes.map(|b| b as f64)),
+        Cell::number(run.closed),
     ]);
+    cells.extend(swept_cells(study, swept));
     Row { cells, excluded: None }
 }
 
@@ -104,9 +127,10 @@ fn mesh_cells(study: &BenchStudy, curve: &SolverCurve, level: usize) -> Vec<Cell
     ]
 }
 
-fn left_out(study: &BenchStudy, curve: &SolverCurve, left: &LeftOut, width: usize) -> Row {
+fn left_out(study: &BenchStudy, curve: &SolverCurve, left: &LeftOut, width: usize, swept: &[String]) -> Row {
     let mut cells = mesh_cells(study, curve, left.level);
-    cells.resize(width, Cell::Missing);
+    cells.resize(width - swept.len(), Cell::Missing);
+    cells.extend(swept_cells(study, swept));
     Row { cells, excluded: Some(left.reason.clone()) }
 }
 

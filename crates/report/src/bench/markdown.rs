@@ -1,6 +1,7 @@
 //! The page and what the terminal shows.
 
 use super::picture_names;
+use super::sweep::{Group, groups};
 use super::words::{error_source, machine, median, name, number, plain_exponent, rounds, scaled, spread, threads};
 use crate::format::significant;
 use crate::table::{Cell, Column, Row, Table};
@@ -12,8 +13,16 @@ const TEXT_WIDTH: usize = 150;
 pub(super) fn page(record: &BenchRecord) -> String {
     let mut out = format!("# Speed against error\n\n{}\n\n{METHOD}\n\n", head(record));
     out += &format!("## The memory\n\n{}\n", bandwidth(record).to_markdown());
-    for (position, study) in record.studies.iter().enumerate() {
-        out += &study_page(position, study);
+    let mut sweeps = 0;
+    for group in groups(record) {
+        match group {
+            Group::One(position, study) => out += &study_page(position, study),
+            Group::Sweep(sweep) => {
+                let picture = sweep.chart(record).map(|_| sweep.picture_name(sweeps));
+                out += &sweep.page(picture.as_deref());
+                sweeps += 1;
+            }
+        }
     }
     out
 }
@@ -21,12 +30,18 @@ pub(super) fn page(record: &BenchRecord) -> String {
 /// The same in short, for the terminal.
 pub fn bench_text(record: &BenchRecord) -> String {
     let mut out = String::new();
-    for study in &record.studies {
-        out +=
-            &format!("{}\n{}\n{}\n", name(study), runs(study).to_text(TEXT_WIDTH), growth(study).to_text(TEXT_WIDTH));
-        out += &left_out(study);
+    for group in groups(record) {
+        out += &match group {
+            Group::One(_, study) => study_text(study),
+            Group::Sweep(sweep) => sweep.text(),
+        };
     }
     out + &head(record) + "\n"
+}
+
+fn study_text(study: &BenchStudy) -> String {
+    let tables = [runs(study), growth(study)].map(|t| t.to_text(TEXT_WIDTH) + "\n").concat();
+    format!("{}\n{tables}{}", name(study), left_out(study))
 }
 
 const METHOD: &str = "Every measurement is a process of its own; a round visits all of them once, forwards and backwards in turn. \
@@ -66,6 +81,9 @@ fn study_page(position: usize, study: &BenchStudy) -> String {
     let [precision, scaled] = picture_names(position, study);
     let mut out =
         format!("## {}\n\n{}. Family `{}`. {}\n\n", name(study), study.title, study.family, error_source(study));
+    if let Some(changed) = &study.changed {
+        out += &format!("Changed: `{}`.\n\n", changed.options.join(" "));
+    }
     out += &format!("{}\n{}", runs(study).to_markdown(), left_out(study));
     out += &format!("\n![Error against seconds and against unknowns]({precision})\n\n");
     out += &format!("### Phases\n\nWall seconds, in brackets processor seconds.\n\n{}\n", phases(study).to_markdown());

@@ -6,12 +6,15 @@
 //! bench.md     tables for readers
 //! ```
 //!
+//! Cases that differ in swept values share a section and `sweep.png`: work and seconds against the values.
+//!
 //! The pictures of the first study have these names, those of further ones end with the study's id, as in
 //! `scaling-two-squares.png`.
 
 mod data;
 mod markdown;
 mod pictures;
+mod sweep;
 #[cfg(test)]
 mod tests;
 mod words;
@@ -26,6 +29,7 @@ use signorini_study::bench::BenchRecord;
 use signorini_study::bench::record::BenchStudy;
 use signorini_study::store::StoreError;
 use std::path::{Path, PathBuf};
+use sweep::Group;
 
 /// Writes everything there is to read about a measurement into `dir`. Returns the files written.
 ///
@@ -37,10 +41,21 @@ pub fn render_bench(record: &BenchRecord, dir: &Path) -> Result<Vec<PathBuf>, Re
     let json = record.to_json().map_err(|source| StoreError::Content { path, source })?;
     let csv = data::table(record).to_csv()?;
     let mut pictures = Vec::new();
-    for (k, study) in record.studies.iter().enumerate() {
-        let [precision, scaled] = picture_names(k, study);
-        pictures.push((precision, plot::panel_png(&work_precision(record, study))?));
-        pictures.push((scaled, plot::panel_png(&scaling(record, study))?));
+    let mut sweeps = 0;
+    for group in sweep::groups(record) {
+        match group {
+            Group::One(k, study) => {
+                let [precision, scaled] = picture_names(k, study);
+                pictures.push((precision, plot::panel_png(&work_precision(record, study))?));
+                pictures.push((scaled, plot::panel_png(&scaling(record, study))?));
+            }
+            Group::Sweep(sweep) => {
+                if let Some(chart) = sweep.chart(record) {
+                    pictures.push((sweep.picture_name(sweeps), plot::panel_png(&chart)?));
+                }
+                sweeps += 1;
+            }
+        }
     }
     folder.write("bench.json", json.as_bytes())?;
     folder.write("bench.csv", &csv)?;

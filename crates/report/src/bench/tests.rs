@@ -45,6 +45,7 @@ fn run(level: usize, dofs: usize, factor: f64) -> Measured {
         processor: Some(seconds),
         peak_bytes: Some(spread(1.2e7 + 1500.0 * dofs as f64)),
         linear: Some(linear),
+        closed: Some(0.5),
     }
 }
 
@@ -61,7 +62,7 @@ fn curve(solver: &str, sizes: &[Size], factor: f64, left_out: Vec<LeftOut>) -> S
     }
 }
 
-fn study(id: &str) -> BenchStudy {
+pub(super) fn study(id: &str) -> BenchStudy {
     let size = |level: usize| {
         let dofs = 1000 << (2 * level);
         let product = Some(spread(1.2e-8 * dofs as f64));
@@ -78,10 +79,11 @@ fn study(id: &str) -> BenchStudy {
         targets: vec![0.05, 0.02],
         solvers: vec![curve("condensed", &sizes, 1.0, vec![]), curve("interior-point", &sizes, 9.0, vec![refused])],
         sizes,
+        changed: None,
     }
 }
 
-fn record() -> BenchRecord {
+pub(super) fn record() -> BenchRecord {
     BenchRecord {
         schema: SCHEMA,
         version: "0.0.0 (test)".into(),

@@ -5,6 +5,7 @@ use crate::error::ReportError;
 use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::{FontStyle, register_font};
+use std::cell::RefCell;
 use std::sync::OnceLock;
 
 /// The font of every picture: embedded, so that no font of the system is asked for.
@@ -26,10 +27,19 @@ pub(crate) enum Anchor {
 pub(crate) struct Canvas<DB: DrawingBackend> {
     area: DrawingArea<DB, Shift>,
     scale: f64,
+    notes: RefCell<Vec<Note>>,
+}
+
+/// Words that a reader sees who points at a place.
+pub(crate) struct Note {
+    /// In pixels.
+    pub at: At,
+    /// What is there.
+    pub words: String,
 }
 
 /// Pixels, downwards.
-type At = (f64, f64);
+pub(crate) type At = (f64, f64);
 
 impl<DB: DrawingBackend> Canvas<DB> {
     /// A white canvas.
@@ -37,12 +47,22 @@ impl<DB: DrawingBackend> Canvas<DB> {
         use_embedded_font()?;
         let area = backend.into_drawing_area();
         area.fill(&WHITE).map_err(refused)?;
-        Ok(Self { area, scale })
+        Ok(Self { area, scale, notes: RefCell::default() })
     }
 
     /// Hands the picture to the backend.
     pub fn finish(&self) -> Result<(), ReportError> {
         self.area.present().map_err(refused)
+    }
+
+    /// Words for who points there; bitmaps have none.
+    pub fn note(&self, at: At, words: impl FnOnce() -> String) {
+        self.notes.borrow_mut().push(Note { at, words: words() });
+    }
+
+    /// The notes so far.
+    pub fn notes(&self) -> Vec<Note> {
+        self.notes.take()
     }
 
     /// A broken line, `width` pixels wide; `strength` 0 (invisible) to 1.
@@ -82,7 +102,7 @@ impl<DB: DrawingBackend> Canvas<DB> {
         self.line(&closed, colour, 2.0, 1.0)
     }
 
-    /// One line of text, its capitals centred on `at`; what stands in `^{…}` is raised.
+    /// One line of text, its capitals centred on `at`; what stands in `^{…}` is raised, in `_{…}` lowered.
     pub fn text(&self, text: &str, at: At, anchor: Anchor, size: f64, colour: Colour) -> Result<(), ReportError> {
         let width = self.text_width(text, size)?;
         let mut x = match anchor {
@@ -152,29 +172,48 @@ impl<DB: DrawingBackend> Canvas<DB> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Run<'a> {
     text: &'a str,
-    raised: bool,
+    place: Place,
+}
+
+/// Where a part of a line stands.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Place {
+    Line,
+    Raised,
+    Lowered,
 }
 
 impl Run<'_> {
-    /// Size of the text and by how many pixels it is raised.
+    /// Size of the text and by how many pixels it is raised; negative where lowered.
     fn size(&self, size: f64) -> (f64, f64) {
-        if self.raised { (0.72 * size, 0.3 * size) } else { (size, 0.0) }
+        match self.place {
+            Place::Line => (size, 0.0),
+            Place::Raised => (0.72 * size, 0.3 * size),
+            Place::Lowered => (0.72 * size, -0.2 * size),
+        }
     }
 }
 
-/// The line cut at `^{…}`.
+/// The line cut at `^{…}` and `_{…}`.
 fn runs(line: &str) -> Vec<Run<'_>> {
     let mut runs = Vec::new();
     let mut rest = line;
-    while let Some((before, (inside, after))) =
-        rest.split_once("^{").and_then(|(before, tail)| Some((before, tail.split_once('}')?)))
-    {
-        runs.push(Run { text: before, raised: false });
-        runs.push(Run { text: inside, raised: true });
+    while let Some((before, place, inside, after)) = cut(rest) {
+        runs.push(Run { text: before, place: Place::Line });
+        runs.push(Run { text: inside, place });
         rest = after;
     }
-    runs.push(Run { text: rest, raised: false });
+    runs.push(Run { text: rest, place: Place::Line });
     runs
+}
+
+/// What stands before the first `^{…}` or `_{…}`, in it and behind it.
+fn cut(line: &str) -> Option<(&str, Place, &str, &str)> {
+    let found = |mark: &str, place| line.find(mark).map(|at| (at, place));
+    let (at, place) =
+        [found("^{", Place::Raised), found("_{", Place::Lowered)].into_iter().flatten().min_by_key(|f| f.0)?;
+    let (inside, after) = line[at + 2..].split_once('}')?;
+    Some((&line[..at], place, inside, after))
 }
 
 fn font(size: f64) -> TextStyle<'static> {
@@ -218,9 +257,10 @@ mod tests {
 
     #[test]
     fn exponents_are_cut_out() {
-        let parts = |line| runs(line).iter().map(|r| (r.text, r.raised)).collect::<Vec<_>>();
-        assert_eq!(parts("O(h^{3/4})"), [("O(h", false), ("3/4", true), (")", false)]);
-        assert_eq!(parts("plain"), [("plain", false)]);
-        assert_eq!(parts("open ^{end"), [("open ^{end", false)]);
+        let parts = |line| runs(line).iter().map(|r| (r.text, r.place)).collect::<Vec<_>>();
+        assert_eq!(parts("O(h^{3/4})"), [("O(h", Place::Line), ("3/4", Place::Raised), (")", Place::Line)]);
+        assert_eq!(parts("plain"), [("plain", Place::Line)]);
+        assert_eq!(parts("open ^{end"), [("open ^{end", Place::Line)]);
+        assert_eq!(parts("Γ_{u} left")[..2], [("Γ", Place::Line), ("u", Place::Lowered)]);
     }
 }

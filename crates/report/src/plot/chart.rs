@@ -1,5 +1,7 @@
 //! What a picture shows, as data: a log–log chart against the mesh size.
 
+use super::viridis;
+
 /// Colour-blind-safe colours (Okabe and Ito), with black and a grey for what does not count.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Colour {
@@ -21,9 +23,24 @@ pub enum Colour {
     Pale,
     /// The background.
     White,
+    /// A step of the scale that stresses are shown on, 0 (lowest) to [`viridis::STEPS`].
+    Shade(u8),
 }
 
 impl Colour {
+    /// The colours that have a name, by which a page finds them in an SVG.
+    pub const PALETTE: [(&'static str, Self); 9] = [
+        ("blue", Self::Blue),
+        ("vermillion", Self::Vermillion),
+        ("green", Self::Green),
+        ("purple", Self::Purple),
+        ("orange", Self::Orange),
+        ("ink", Self::Black),
+        ("grey", Self::Grey),
+        ("pale", Self::Pale),
+        ("paper", Self::White),
+    ];
+
     /// Red, green, blue.
     pub fn rgb(self) -> [u8; 3] {
         match self {
@@ -36,6 +53,7 @@ impl Colour {
             Self::Grey => [120, 120, 120],
             Self::Pale => [226, 226, 226],
             Self::White => [255, 255, 255],
+            Self::Shade(step) => viridis::shade(step),
         }
     }
 }

@@ -8,6 +8,7 @@ use super::encode::{HEIGHT, WIDTH};
 use super::frame::Frame;
 use super::place::dashes;
 use crate::error::ReportError;
+use crate::format::significant;
 use plotters::prelude::DrawingBackend;
 
 /// Text sizes in plotters' unit, 1.16 of the em: nothing below an em of 20 pixels.
@@ -181,6 +182,7 @@ fn draw_curve<DB: DrawingBackend>(curve: &Curve, canvas: &Canvas<DB>, frame: &Fr
     canvas.line(&pixels(curve, frame), curve.colour, width, strength)?;
     for mark in &curve.marks {
         let at = frame.at(mark.h, mark.value);
+        canvas.note(at, || format!("{}: {} at {}", curve.label, significant(mark.value, 5), significant(mark.h, 5)));
         match curve.weight {
             Weight::Halo => canvas.ring(at, radius, curve.shape, curve.colour, mark.kind)?,
             _ => canvas.mark(at, radius, curve.shape, curve.colour, mark.kind)?,

@@ -93,9 +93,10 @@ pub(crate) fn free_place(
         height,
     });
     let mut best: Option<(f64, Rect)> = None;
+    let mut blocker = 0;
     for candidate in boxes {
         let least = best.map_or(f64::INFINITY, |(least, _)| least);
-        let score = score(&candidate, obstacles, near, least);
+        let score = score(&candidate, obstacles, near, least, &mut blocker);
         if score < least {
             best = Some((score, candidate));
         }
@@ -107,22 +108,23 @@ pub(crate) fn free_place(
 const CROWDED: f64 = 1e5;
 
 /// Smaller is better: distance to `near` for a clear box, a large number that falls with the clearance otherwise. Infinite for
-/// a box that is seen early to be no better than `least`.
-fn score(rect: &Rect, obstacles: &[(f64, f64)], near: &[(f64, f64)], least: f64) -> f64 {
-    let mut clearance = f64::INFINITY;
-    for obstacle in obstacles {
-        clearance = rect.squared_distance(*obstacle).min(clearance);
-        if clearance < CLEAR * CLEAR && least <= CROWDED {
+/// a box that is seen early to be no better than `least`; what blocked the last box, `blocker`, is asked first, for it mostly
+/// blocks the next one.
+fn score(rect: &Rect, obstacles: &[(f64, f64)], near: &[(f64, f64)], least: f64, blocker: &mut usize) -> f64 {
+    let centre = (rect.left + rect.width / 2.0, rect.top + rect.height / 2.0);
+    let reach = || near.iter().map(|p| (p.0 - centre.0).hypot(p.1 - centre.1)).fold(CROWDED, f64::min);
+    if least <= CROWDED {
+        // a clear box is known: one obstacle too near decides
+        let blocks = |obstacle: &(f64, f64)| rect.squared_distance(*obstacle) < CLEAR * CLEAR;
+        if obstacles.get(*blocker).is_some_and(blocks) {
             return f64::INFINITY;
         }
+        let Some(found) = obstacles.iter().position(blocks) else { return reach() };
+        *blocker = found;
+        return f64::INFINITY;
     }
-    let clearance = clearance.sqrt();
-    if clearance < CLEAR {
-        return 10.0 * CROWDED - clearance;
-    }
-    let centre = (rect.left + rect.width / 2.0, rect.top + rect.height / 2.0);
-    let reach = near.iter().map(|p| (p.0 - centre.0).hypot(p.1 - centre.1));
-    reach.fold(CROWDED, f64::min)
+    let clearance = obstacles.iter().map(|o| rect.squared_distance(*o)).fold(f64::INFINITY, f64::min).sqrt();
+    if clearance < CLEAR { 10.0 * CROWDED - clearance } else { reach() }
 }
 
 #[cfg(test)]

@@ -4,6 +4,7 @@ use super::chart::Colour;
 use super::zone_chart::{Trace, ZoneChart};
 use crate::format;
 use crate::summary::name;
+use signorini_study::fields::{ContactStatus, Fields};
 use signorini_study::record::{ContactMeasure, Level, PressureSource, StudyRecord, ZoneProfile};
 
 /// A node counts as in contact when its pressure exceeds this share of the largest.
@@ -15,7 +16,29 @@ const BESIDE: f64 = 0.6;
 ///
 /// `None` if the record has no profile, or fewer than two nodes in it.
 pub fn pressure(record: &StudyRecord) -> Option<ZoneChart> {
-    let (zone, level) = (record.zone.as_ref()?, record.levels.last()?);
+    chart(record, record.zone.as_ref()?, record.levels.last()?)
+}
+
+/// The same of any level whose fields are kept, without formula or exact solution.
+pub fn pressure_of_level(record: &StudyRecord, fields: &Fields) -> Option<ZoneChart> {
+    let level = record.levels.iter().find(|l| l.level == fields.level)?;
+    let zone = &fields.zone;
+    // where the supports decide the distance no pressure is known
+    let known: Vec<usize> = (0..zone.s.len()).filter(|k| zone.status[*k] != ContactStatus::Held as u8).collect();
+    let of = |list: &[f64]| known.iter().map(|k| list[*k]).collect();
+    let profile = ZoneProfile {
+        across_gap: zone.across_gap,
+        symmetric: record.zone.as_ref().is_some_and(|z| z.symmetric),
+        coordinate: of(&zone.s),
+        points: known.iter().map(|k| fields.nodes[zone.nodes[*k][0] as usize]).collect(),
+        pressure: of(&zone.pressure),
+        gap: of(&zone.gap),
+        reference: None,
+    };
+    chart(record, &profile, level)
+}
+
+fn chart(record: &StudyRecord, zone: &ZoneProfile, level: &Level) -> Option<ZoneChart> {
     if zone.coordinate.len() < 2 {
         return None;
     }

@@ -8,6 +8,7 @@ use super::encode::WIDTH;
 use super::linear::LinearRange;
 use super::zone_chart::{Trace, ZoneChart};
 use crate::error::ReportError;
+use crate::format::significant;
 use plotters::prelude::DrawingBackend;
 
 /// Share of the height that the gap takes.
@@ -114,6 +115,9 @@ fn trace<DB: DrawingBackend>(t: &Trace, canvas: &Canvas<DB>, p: &Panel) -> Drawn
         return canvas.line(&thinned(&pixels), t.colour, 2.5, 1.0);
     }
     canvas.line(&pixels, t.colour, 1.0, 0.35)?;
+    for (x, y) in t.points.iter().copied().filter(inside) {
+        canvas.note(p.at((x, y)), || format!("{}: {} at {}", t.label, significant(y, 5), significant(x, 5)));
+    }
     let radius = radius(&pixels);
     pixels.iter().try_for_each(|at| canvas.mark(*at, radius, Shape::Circle, t.colour, MarkKind::Used))
 }

@@ -20,7 +20,8 @@ impl Table {
         out + notes
     }
 
-    fn footnotes(&self) -> String {
+    /// The rows that do not count, with their reasons, below the table.
+    pub(super) fn footnotes(&self) -> String {
         let notes: Vec<String> = self
             .rows
             .iter()

@@ -1,12 +1,14 @@
-//! One table model for every output: [Markdown](Table::to_markdown), [CSV](Table::to_csv), [JSON](Table::to_json)
-//! and [plain text](Table::to_text).
+//! One table model for every output: [Markdown](Table::to_markdown), [LaTeX](Table::to_latex), [CSV](Table::to_csv),
+//! [JSON](Table::to_json) and [plain text](Table::to_text).
 
 mod data;
+mod latex;
 mod markdown;
 pub(crate) mod text;
 
 use crate::format;
 pub use data::json_text;
+pub use latex::tex;
 
 /// Columns, rows, and which rows are only shown, not used.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -123,6 +125,15 @@ impl Cell {
 }
 
 impl Table {
+    /// The table without the columns of these keys.
+    pub(crate) fn without(self, keys: &[&str]) -> Self {
+        let keep: Vec<usize> =
+            (0..self.columns.len()).filter(|&c| !keys.contains(&self.columns[c].key.as_str())).collect();
+        let of = |row: Row| Row { cells: keep.iter().map(|&c| row.cells[c].clone()).collect(), ..row };
+        let columns = keep.iter().map(|&c| self.columns[c].clone()).collect();
+        Self { columns, rows: self.rows.into_iter().map(of).collect() }
+    }
+
     /// Whether words stand in the column.
     fn column_is_words(&self, column: usize) -> bool {
         self.rows.iter().any(|row| row.cells.get(column).is_some_and(Cell::is_words))

@@ -163,6 +163,7 @@ pub fn blank(levels: Vec<Level>) -> StudyRecord {
         corners: Vec::new(),
         extrapolation: None,
         refusal: None,
+        changed: None,
     }
 }
 
@@ -206,6 +207,7 @@ fn level(k: usize, errors: impl Fn(f64) -> Errors) -> Level {
         solution_trace: Some(1.0),
         contact: None,
         second: None,
+        fields: None,
     }
 }
 

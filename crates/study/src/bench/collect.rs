@@ -57,7 +57,7 @@ pub(super) fn study_record(subject: &Subject, sizes: &[PlannedSize], solvers: &[
     let targets = targets(errors);
     curves.iter_mut().for_each(|c| c.seconds_to_target = to_targets(c, &targets));
     BenchStudy {
-        study: subject.study.id.clone(),
+        study: subject.study.id_of_file().to_owned(),
         case: subject.case().name.clone(),
         title: subject.study.title.clone(),
         family: subject.case().family_name().to_owned(),
@@ -69,6 +69,7 @@ pub(super) fn study_record(subject: &Subject, sizes: &[PlannedSize], solvers: &[
         sizes: sizes.iter().enumerate().map(|(k, s)| size(subject, k, s, solvers, all)).collect(),
         targets,
         solvers: curves,
+        changed: subject.case().changed.clone(),
     }
 }
 
@@ -146,7 +147,13 @@ fn measured(level: usize, rounds: &[&TimedLevel], limit: Option<&Limit>) -> Opti
         processor: processor.and_then(|p| seconds(&p)),
         peak_bytes: peaks.and_then(Spread::of),
         linear: None,
+        closed: closed(&first.level),
     })
+}
+
+/// Share of the constraints that press.
+fn closed(level: &Level) -> Option<f64> {
+    (level.constraints > 0).then(|| level.active as f64 / level.constraints as f64)
 }
 
 /// The measured error, or `√(2(L(u_h) − L*))` where the uncertainty of `L*` does not show in it.

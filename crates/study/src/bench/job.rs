@@ -1,6 +1,7 @@
 //! One measurement, carried out alone in its process.
 
 use super::bandwidth::bandwidth;
+use crate::change::Changes;
 use crate::error::RunError;
 use crate::record::Level;
 use crate::run::timing::LevelTimes;
@@ -22,6 +23,17 @@ pub struct Job {
     pub cells: Vec<usize>,
     /// What to do there.
     pub task: Task,
+    /// What options change of the study.
+    #[serde(default, skip_serializing_if = "Changes::is_none")]
+    pub changes: Changes,
+}
+
+impl Job {
+    /// The one that needs no study.
+    pub(super) fn of_machine() -> Self {
+        let (study, case, changes) = (String::new(), String::new(), Changes::default());
+        Self { study, case, cells: Vec::new(), task: Task::Bandwidth, changes }
+    }
 }
 
 /// The sorts of measurement.
@@ -79,15 +91,15 @@ const PRODUCTS_FOR: f64 = 0.1;
 /// Fewest products.
 const PRODUCTS: usize = 7;
 
-/// Carries a job out; `load` reads the study of a name.
+/// Carries a job out; `load` reads its study, with what options change of it.
 ///
 /// # Errors
 /// Those of `load`, turned into `E`, and of the level.
-pub fn carry_out<E: From<RunError>>(job: &Job, load: impl Fn(&str) -> Result<Study, E>) -> Result<Outcome, E> {
+pub fn carry_out<E: From<RunError>>(job: &Job, load: impl Fn(&Job) -> Result<Study, E>) -> Result<Outcome, E> {
     if job.task == Task::Bandwidth {
         return Ok(Outcome::Bandwidth(bandwidth()));
     }
-    let study = load(&job.study)?;
+    let study = load(job)?;
     Ok(on_level(job, &study)?)
 }
 

@@ -1,7 +1,7 @@
 //! Rounds over the jobs.
 
 use super::collect::{Sorted, study_record};
-use super::job::{Job, Outcome, Task};
+use super::job::{Job, Outcome};
 use super::machine::Machine;
 use super::plan::{Plan, jobs, sizes};
 use super::record::{Bandwidth, BenchRecord, SCHEMA};
@@ -26,8 +26,7 @@ pub fn measure(
     planned: impl FnOnce(usize),
     mut run: impl FnMut(&Job) -> Result<Outcome, String>,
 ) -> Result<BenchRecord, RunError> {
-    let mut all =
-        vec![Repeated::new(Job { study: String::new(), case: String::new(), cells: vec![], task: Task::Bandwidth })];
+    let mut all = vec![Repeated::new(Job::of_machine())];
     let mut levels = Vec::new();
     for subject in &plan.subjects {
         let sizes = sizes(subject, &plan.sizes)?;

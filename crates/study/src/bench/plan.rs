@@ -1,6 +1,7 @@
 //! Which levels of which cases under which solvers.
 
 use super::job::{Job, Task};
+use crate::change::Changes;
 use crate::error::RunError;
 use crate::run::{Alone, Method};
 use crate::study::{Case, Scene, Study, Subject as Measured};
@@ -41,6 +42,7 @@ pub struct Sizes {
 }
 
 /// A case that is timed.
+#[derive(Clone)]
 pub struct Subject {
     /// The word by which another process finds the study: an id or a path.
     pub name: String,
@@ -48,6 +50,8 @@ pub struct Subject {
     pub study: Study,
     /// Which of its cases, by position.
     pub case: usize,
+    /// What options changed of the study, so that another process can do the same.
+    pub changes: Changes,
 }
 
 impl Subject {
@@ -67,11 +71,32 @@ impl Subject {
         }
         let wanted = case.unwrap_or(known[0]);
         match study.cases.iter().position(|c| c.name == wanted && solvable(c)) {
-            Some(case) => Ok(Self { name, study, case }),
+            Some(case) => Ok(Self { name, study, case, changes: Changes::default() }),
             None => {
                 refuse(format!("study '{}' has no case `{wanted}` to time; use one of: {}", study.id, known.join(", ")))
             }
         }
+    }
+
+    /// Every case that the changes made of one case of the file: that of the name `case`, or the first that can be timed.
+    ///
+    /// # Errors
+    /// As [`Subject::new`].
+    pub fn changed(name: &str, study: &Study, case: Option<&str>, changes: &Changes) -> Result<Vec<Self>, RunError> {
+        let of_file = |c: &Case| c.changed.as_ref().map_or(c.name.clone(), |m| m.case.clone());
+        let named = |wanted: &str| study.cases.iter().find(|c| of_file(c) == wanted).map(|c| c.name.clone());
+        // a name of the file stands for all that was made of it; any other is refused with those there are
+        let first = case.map(|wanted| named(wanted).unwrap_or_else(|| wanted.to_owned()));
+        let first = Self::new(name.to_owned(), study.clone(), first.as_deref())?;
+        let wanted = of_file(first.case());
+        let of_wanted = (0..study.cases.len()).filter(|&k| of_file(&study.cases[k]) == wanted);
+        let subject = |k| Self { name: name.to_owned(), study: study.clone(), case: k, changes: changes.clone() };
+        Ok(of_wanted.map(subject).collect())
+    }
+
+    /// Whether it is one of several that differ in swept values.
+    pub fn is_swept(&self) -> bool {
+        self.changes.sweeps()
     }
 
     /// The case.
@@ -161,7 +186,10 @@ pub(super) fn jobs(subject: &Subject, size: &Size, solvers: &[Method]) -> Vec<Jo
             tasks.push(linear);
         }
     }
-    tasks.push(Task::Product);
+    // of many cases on the same meshes the product is no floor worth its time
+    if !subject.is_swept() {
+        tasks.push(Task::Product);
+    }
     let job = |task| Job { task, ..job_of(subject, size) };
     tasks.into_iter().map(job).collect()
 }
@@ -169,7 +197,7 @@ pub(super) fn jobs(subject: &Subject, size: &Size, solvers: &[Method]) -> Vec<Jo
 /// A job of a level whose task is still to be named.
 fn job_of(subject: &Subject, size: &Size) -> Job {
     let (study, case) = (subject.name.clone(), subject.case().name.clone());
-    Job { study, case, cells: size.cells.clone(), task: Task::Product }
+    Job { study, case, cells: size.cells.clone(), task: Task::Product, changes: subject.changes.clone() }
 }
 
 #[cfg(test)]

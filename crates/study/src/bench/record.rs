@@ -4,7 +4,7 @@
 
 use super::machine::Machine;
 use super::spread::Spread;
-use crate::record::RecordError;
+use crate::record::{Changed, RecordError};
 use serde::{Deserialize, Serialize};
 
 /// Version of the layout.
@@ -57,6 +57,9 @@ pub struct BenchStudy {
     pub targets: Vec<f64>,
     /// One entry per solver.
     pub solvers: Vec<SolverCurve>,
+    /// What options changed of the study.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub changed: Option<Changed>,
 }
 
 /// What the errors are measured against.
@@ -152,6 +155,9 @@ pub struct Measured {
     pub peak_bytes: Option<Spread>,
     /// The linear problem on the same mesh.
     pub linear: Option<Linear>,
+    /// Share of the constraints that press, between 0 (lifted off) and 1.
+    #[serde(default)]
+    pub closed: Option<f64>,
 }
 
 /// Seconds of a level, phase by phase.

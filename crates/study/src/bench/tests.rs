@@ -4,6 +4,7 @@ use super::job::{Job, Outcome, Product, Task, TimedLevel, carry_out};
 use super::plan::{Plan, Sizes, Subject};
 use super::record::{BenchRecord, ErrorSource};
 use super::{measure, plan};
+use crate::change::Changes;
 use crate::error::RunError;
 use crate::run::Method;
 use crate::sample;
@@ -134,7 +135,13 @@ fn without_an_exact_solution_errors_come_from_the_energies() {
 #[test]
 fn a_real_level_is_that_of_a_run_and_its_linear_twin_has_no_bounds() {
     let study = sample::study("theorem-3-1-smooth");
-    let job = |task| Job { study: study.id.clone(), case: "structured".into(), cells: vec![4, 8], task };
+    let job = |task| Job {
+        study: study.id.clone(),
+        case: "structured".into(),
+        cells: vec![4, 8],
+        task,
+        changes: Changes::default(),
+    };
     let outcome = |task| carry_out::<RunError>(&job(task), |_| Ok(study.clone())).unwrap();
     let level = |task| match outcome(task) {
         Outcome::Level(timed) => *timed,

@@ -127,7 +127,8 @@ fn run(text: &str) -> Result<Ran, Refused> {
     let path = format!("{ID}.toml");
     let study = Study::parse(text, Path::new(&path))?;
     let case = study.cases.first().ok_or(Refused::Empty)?;
-    let settings = RunSettings { profile: Profile::Quick, levels: None, solver: None, partial: None };
+    let settings =
+        RunSettings { profile: Profile::Quick, levels: None, solver: None, partial: None, keep: Default::default() };
     let record = run_case(&study, case, &settings, &Unwatched)?.record;
     let scene = case.scene().ok_or(Refused::Empty)?;
     let size = scene.exact.as_ref().map(|exact| size(scene, exact, case)).transpose()?;

@@ -5,9 +5,9 @@ use super::error::{Fault, refuse};
 use super::fixed::Fixed;
 use super::raw::RawPoint;
 use super::shape::point;
+use super::spanned::Spanned;
 use signorini_contact::geometry::Piece;
 use signorini_contact::{ContactLine, Path, Point};
-use toml::Spanned;
 
 /// Share of the zone's length within which a point lies on it, and of a piece within which two places are one.
 const SAME: f64 = 1e-9;

@@ -6,13 +6,13 @@ use super::field::{BOUNDARY, INSIDE, vector_field};
 use super::fixed::Fixed;
 use super::raw::{ConditionName, RawBoundary, RawContact, RawPoint};
 use super::shape::{on_sides, path, point};
+use super::spanned::Spanned;
 use super::words::suggestion;
 use crate::study::{Part, PartCondition, Shape};
 use signorini_contact::geometry::{LinePoint, tangent_of};
 use signorini_contact::{Body, ContactLine, Vec2};
 use std::collections::BTreeMap;
 use std::ops::Range;
-use toml::Spanned;
 
 /// The boundary parts in file order.
 pub fn parts(

@@ -6,6 +6,7 @@
 use super::layer::Layer;
 use super::number::Finite;
 use super::raw::{RawBoundary, RawExact, RawField, RawMesh, RawPoint, RawTraces};
+use super::spanned::Spanned;
 use crate::claim::Claim;
 use crate::study::{Block, Case, Scene, Subject};
 use signorini_contact::mesh::blocks::EVEN;
@@ -13,7 +14,6 @@ use signorini_contact::mesh::fnv1a;
 use signorini_contact::solver::{Accuracy, Settings};
 use signorini_contact::{Material, Point};
 use std::fmt::Write;
-use toml::Spanned;
 
 /// One line per fact, in a fixed order.
 pub fn text(case: &Case, layer: &Layer<'_>, claim: &Claim) -> String {

@@ -4,6 +4,7 @@ use super::error::{Fault, refuse};
 use super::field::expression_fault;
 use super::raw::{RawCircle, RawCurve, RawGraph};
 use super::shape::point;
+use super::spanned::Spanned;
 use super::words::suggestion;
 use crate::expr::{Along, Expression};
 use signorini_contact::geometry::{CircularArc, Graph, SharedCurve, Spline};
@@ -11,7 +12,6 @@ use signorini_contact::{Point, Vec2};
 use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::Arc;
-use toml::Spanned;
 
 /// The curves of a case by name.
 pub struct Curves(BTreeMap<String, SharedCurve>);

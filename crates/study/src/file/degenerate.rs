@@ -2,8 +2,8 @@
 
 use super::error::{Fault, refuse};
 use super::raw::{RawFamily, TrianglesName};
+use super::spanned::Spanned;
 use crate::family::{Degenerate, Family};
-use toml::Spanned;
 
 /// `{ name = "degenerate", direction, strength, triangles }`.
 pub fn degenerate(raw: &Spanned<RawFamily>) -> Result<Family, Fault> {

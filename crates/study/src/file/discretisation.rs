@@ -2,10 +2,10 @@
 
 use super::error::{Fault, refuse};
 use super::raw::{ElementName, GeometryName, NormalsName, RawDiscretisation};
+use super::spanned::Spanned;
 use crate::study::{Discretisation, Normals};
 use signorini_contact::ContactLine;
 use signorini_contact::element::CurvedElement;
-use toml::Spanned;
 
 /// The paper's own: exact sides and true normals; linear functions in the physical coordinates where the bodies touch,
 /// Zlámal's map across a gap.

@@ -5,6 +5,7 @@ use super::field::{INSIDE, expression_fault};
 use super::fixed::Fixed;
 use super::raw::{RawExact, RawField, RawLame};
 use super::shape::point;
+use super::spanned::Spanned;
 use super::traces::{reach, traces};
 use super::words::suggestion;
 use crate::exact::{self, Exact, Expressions};
@@ -15,7 +16,6 @@ use signorini_contact::material::Lame;
 use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::Arc;
-use toml::Spanned;
 
 /// The exact solution, with the materials of the scene unless the study plants others.
 pub fn exact(

@@ -1,6 +1,8 @@
 //! The expected rate as a study file may give it.
 
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{Deserialize, Deserializer, Error, Unexpected, Visitor};
+use std::borrow::Cow;
 use std::fmt;
 
 /// A finite number, `"none"`, or `"corners"`: what the program computes from the scene's corners.
@@ -45,5 +47,19 @@ impl Visitor<'_> for ExpectedRateVisitor {
             "corners" => Ok(ExpectedRate::Corners),
             _ => Err(E::invalid_value(Unexpected::Str(word), &self)),
         }
+    }
+}
+
+impl JsonSchema for ExpectedRate {
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn schema_name() -> Cow<'static, str> {
+        "ExpectedRate".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({ "anyOf": [{ "type": "number" }, { "enum": ["none", "corners"] }] })
     }
 }

@@ -2,12 +2,12 @@
 
 use super::error::Fault;
 use super::raw::RawField;
+use super::spanned::Spanned;
 use crate::expr::{ExprError, Expression};
 use crate::study::VectorField;
 use signorini_contact::{Point, Vec2};
 use std::collections::BTreeMap;
 use std::sync::Arc;
-use toml::Spanned;
 
 /// Variables inside a body.
 pub const INSIDE: [&str; 2] = ["x", "y"];

@@ -1,7 +1,9 @@
 //! Lists of a fixed length. The derived reader of `[T; N]` takes the first `N` entries and drops the rest in silence:
 //! a point with three coordinates would pass.
 
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{Deserialize, Deserializer, Error, IgnoredAny, SeqAccess, Visitor};
+use std::borrow::Cow;
 use std::fmt;
 use std::marker::PhantomData;
 use std::ops::Deref;
@@ -48,5 +50,24 @@ impl<'de, T: Deserialize<'de>, const N: usize> Visitor<'de> for FixedVisitor<T, 
             Ok(array) if length == N => Ok(array),
             _ => Err(A::Error::invalid_length(length, &self)),
         }
+    }
+}
+
+impl<T: JsonSchema, const N: usize> JsonSchema for Fixed<T, N> {
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn schema_name() -> Cow<'static, str> {
+        format!("{N}_{}", T::schema_name()).into()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        json_schema!({
+            "type": "array",
+            "items": generator.subschema_for::<T>(),
+            "minItems": N,
+            "maxItems": N,
+        })
     }
 }

@@ -4,13 +4,13 @@ use super::error::{Fault, refuse};
 use super::field::{INSIDE, expression_fault};
 use super::number::NumberOrText;
 use super::raw::RawFormula;
+use super::spanned::Spanned;
 use crate::expr::Expression;
 use crate::record::FormulaValues;
 use crate::study::Formula;
 use signorini_contact::{ContactLine, Point};
 use std::collections::BTreeMap;
 use std::sync::Arc;
-use toml::Spanned;
 
 /// Points at which the pressure is tried on each piece of the zone.
 const TRIALS: u32 = 64;

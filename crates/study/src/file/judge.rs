@@ -4,6 +4,7 @@ use super::error::{Fault, refuse};
 use super::expected::ExpectedRate;
 use super::number::{Finite, OrNone};
 use super::raw::{RawClaim, RawExact, RawExpected, RawGates, RawStudy};
+use super::spanned::Spanned;
 use super::words::suggestion;
 use crate::claim::Claim;
 use crate::claim::catalogue::{Standing, catalogue, find};
@@ -12,7 +13,6 @@ use crate::record::{Bounds, ClaimKind, Errors, FormulaValues};
 use crate::study::{Gates, Scene, Subject};
 use std::collections::BTreeMap;
 use std::ops::Range;
-use toml::Spanned;
 
 /// What else than an error norm a claim of a study's own may judge.
 const CONSTANTS: [&str; 6] = ["b_over_h2", "ledger", "splitting", "constant", "solution_h1", CERTIFICATE];

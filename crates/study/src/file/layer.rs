@@ -5,9 +5,9 @@ use super::raw::{
     Expect, RawBody, RawBoundary, RawCase, RawContact, RawCurve, RawDiscretisation, RawExact, RawExpected, RawFamily,
     RawFormula, RawGates, RawLemma, RawLevels, RawMesh, RawReference, RawSlide, RawSolver, RawStudy,
 };
+use super::spanned::Spanned;
 use super::splitting::RawSplitting;
 use std::collections::BTreeMap;
-use toml::Spanned;
 
 /// The tables that make up a case. A table of the case replaces that of the study as a whole; parameters are merged.
 pub struct Layer<'a> {

@@ -6,6 +6,7 @@ use super::fixed::Fixed;
 use super::layer::Layer;
 use super::number::Finite;
 use super::raw::{LemmaName, NormsName, RawLemma, SideName};
+use super::spanned::Spanned;
 use crate::expr::Expression;
 use crate::lemma::Lemma;
 use crate::lemma::boundary::BoundaryFunction;
@@ -14,7 +15,6 @@ use crate::lemma::ellipse::Ellipse;
 use crate::lemma::inverse::{Intervals, Norms};
 use std::collections::BTreeMap;
 use std::ops::Range;
-use toml::Spanned;
 
 /// Longest over shortest semi-axis: beyond it the coarse mesh is no good at the tips.
 const LONGEST: f64 = 3.0;

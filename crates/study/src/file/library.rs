@@ -10,6 +10,7 @@ use super::error::StudyError;
 use super::mesh_file::Files;
 use super::shipped::SHIPPED;
 use super::words::suggestion;
+use crate::change::Changes;
 use crate::study::Study;
 use std::path::{Path, PathBuf};
 
@@ -63,6 +64,17 @@ impl Source {
         match self.shipped {
             Some(text) => Study::parse_with(text, &self.path, &Files::Shipped(self.group.folder())),
             None => Study::load(&self.path),
+        }
+    }
+
+    /// The same with what options change of it.
+    ///
+    /// # Errors
+    /// As [`Changes::apply`].
+    pub fn load_changed(&self, changes: &Changes) -> Result<Study, StudyError> {
+        match self.shipped {
+            Some(text) => changes.apply(text, &self.path),
+            None => changes.apply(&super::text(&self.path)?, &self.path),
         }
     }
 

@@ -3,9 +3,9 @@
 use super::error::{Fault, refuse};
 use super::fixed::Fixed;
 use super::raw::{PlaneName, RawMaterial, RawOrthotropic};
+use super::spanned::Spanned;
 use signorini_contact::Material;
 use signorini_contact::material::Plane;
-use toml::Spanned;
 
 const FORMS: &str = "give exactly one of `lame = [λ, μ]`, `young` with `poisson`, `orthotropic`, `matrix`";
 

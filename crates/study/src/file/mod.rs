@@ -29,11 +29,12 @@ mod mesh_file;
 mod number;
 mod parse;
 mod plan;
-mod raw;
+pub(crate) mod raw;
 mod resolve;
 mod shape;
-mod shipped;
+pub(crate) mod shipped;
 mod slide;
+mod spanned;
 mod splitting;
 #[cfg(test)]
 mod tests;
@@ -41,7 +42,7 @@ mod traces;
 mod words;
 
 pub use error::{Position, StudyError};
-pub use library::{Group, Library, LibraryError, Source, find_studies};
+pub use library::{EVERYTHING, Group, Library, LibraryError, Source, find_studies};
 
 use crate::study::{Case, Study};
 use mesh_file::Files;
@@ -54,13 +55,7 @@ impl Study {
     /// # Errors
     /// The first thing in the file that makes no sense, with its place; or that the file cannot be read.
     pub fn load(path: &Path) -> Result<Self, StudyError> {
-        let text = std::fs::read_to_string(path).map_err(|e| StudyError {
-            path: path.to_path_buf(),
-            position: None,
-            message: format!("cannot read the study: {e}"),
-            next: "check the path, and that the file is UTF-8 text".into(),
-        })?;
-        Self::parse(&text, path)
+        Self::parse(&text(path)?, path)
     }
 
     /// Resolves the text of a study file. `path` is named in messages, and its stem must be the study's id; mesh files are
@@ -80,6 +75,16 @@ impl Study {
         });
         resolved.map_err(|fault| fault.locate(path, text))
     }
+}
+
+/// The text of the file at `path`.
+fn text(path: &Path) -> Result<String, StudyError> {
+    std::fs::read_to_string(path).map_err(|e| StudyError {
+        path: path.to_path_buf(),
+        position: None,
+        message: format!("cannot read the study: {e}"),
+        next: "check the path, and that the file is UTF-8 text".into(),
+    })
 }
 
 impl Case {

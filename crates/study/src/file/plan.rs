@@ -5,11 +5,11 @@ use super::error::{Fault, refuse};
 use super::number::Finite;
 use super::raw::{CoarseName, FamilyName, RawFamily, RawLevels, RawReference, RawSolver, ReferenceName, SolverName};
 use super::shape::point;
+use super::spanned::Spanned;
 use crate::family::{Family, refinements};
 use crate::study::ReferencePlan;
 use signorini_contact::solver::{Accuracy, Method, Settings};
 use std::ops::Range;
-use toml::Spanned;
 
 /// Largest number of cells per unit that a level may ask for.
 const MOST_CELLS: usize = 8192;

@@ -1,484 +1,191 @@
-//! The study file as it is written: one struct per table, field by field as `studies/README.md` documents them.
+//! The study file as it is written: one struct per table, field by field as `studies/README.md` documents them. The
+//! comments are the descriptions of the JSON Schema.
 //!
 //! No `flatten` and no `untagged`: both lose line and column and let misspelt keys pass.
 
-use super::expected::ExpectedRate;
+mod curved;
+mod judge;
+mod lemma;
+mod method;
+mod scene;
+mod solution;
+
 use super::fixed::Fixed;
-use super::number::{Finite, NumberOrText, OrNone};
+use super::number::Finite;
+use super::spanned::Spanned;
 use super::splitting::RawSplitting;
 use crate::record::ClaimKind;
+use schemars::JsonSchema;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::sync::Arc;
-use toml::Spanned;
+
+pub use curved::*;
+pub use judge::*;
+pub use lemma::*;
+pub use method::*;
+pub use scene::*;
+pub use solution::*;
 
 /// Two coordinates.
 pub type RawPoint = Fixed<Finite, 2>;
 /// Two components, each an expression.
 pub type RawField = Fixed<Spanned<String>, 2>;
 
-#[derive(Deserialize)]
+/// A study: one question about convergence, as data.
+#[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RawStudy {
+    /// Name of the study and of its file: lower-case letters, digits, `-` and `.`.
     pub id: Spanned<String>,
+    /// One line.
     pub title: String,
+    /// What is asked.
     pub question: String,
+    /// What is set up.
     pub setup: String,
+    /// What would refute the claim.
     pub refuted_by: String,
+    /// Id of a claim of the catalogue; `signorini list` shows them, `signorini explain` one of them.
     pub claim: Option<Spanned<String>>,
+    /// A claim of the study's own, in place of `claim`.
     pub own_claim: Option<Spanned<RawClaim>>,
+    /// Only in controls: the verdict that the study must get; `refused` in any study: the scene has no equilibrium.
     pub expect: Option<Expect>,
+    /// Why the quick profile's meshes are too coarse to judge; the full profile has to.
     pub inconclusive_at_quick: Option<String>,
+    /// Numbers that every expression may use by name.
     pub parameters: Option<BTreeMap<String, Finite>>,
+    /// A mesh file in place of blocks.
     pub mesh: Option<RawMesh>,
+    /// The two bodies; the first is Ω', the second Ω''.
     pub body: Option<Vec<Spanned<RawBody>>>,
+    /// The parts of the boundary outside the contact zone; every side belongs to exactly one.
     pub boundary: Option<Vec<RawBoundary>>,
+    /// The contact zone.
     pub contact: Option<RawContact>,
+    /// The condition p(v) = 0 where a body may slide rigidly in both directions.
     pub slide: Option<Spanned<RawSlide>>,
+    /// Curves that blocks, boundary parts and the contact zone may follow.
     pub curve: Option<Vec<Spanned<RawCurve>>>,
+    /// How curved sides are discretised; anything but the default departs from the paper on purpose.
     pub discretisation: Option<Spanned<RawDiscretisation>>,
+    /// The exact solution.
     pub exact: Option<Spanned<RawExact>>,
+    /// What a formula of engineering says of the contact; compared with, never solved with.
     pub formula: Option<Spanned<RawFormula>>,
+    /// A lemma on meshes alone, in place of a scene.
     pub lemma: Option<Spanned<RawLemma>>,
+    /// The family of triangulations.
     pub family: Option<Spanned<RawFamily>>,
+    /// Cells per unit on each level.
     pub levels: Option<RawLevels>,
+    /// What errors are measured against.
     pub reference: Option<Spanned<RawReference>>,
+    /// How the levels are solved.
     pub solver: Option<RawSolver>,
+    /// Measures Falk's splitting of the error on every level.
     pub splitting: Option<Spanned<RawSplitting>>,
+    /// Gates of the verdict that are moved, with the reason.
     pub gates: Option<Spanned<RawGates>>,
+    /// The rate to expect of this solution.
     pub expected: Option<Spanned<RawExpected>>,
+    /// The cases; a table of a case replaces the study's table as a whole, only `parameters` are merged.
     #[serde(default)]
     pub case: Vec<RawCase>,
 }
 
-#[derive(Deserialize)]
+/// A case: whatever differs from the study.
+#[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RawCase {
+    /// Name of the case, unique in the study.
     pub name: Spanned<String>,
+    /// As in the study.
     pub expect: Option<Expect>,
+    /// As in the study.
     pub inconclusive_at_quick: Option<String>,
+    /// Merged with the study's, name by name.
     pub parameters: Option<BTreeMap<String, Finite>>,
+    /// In place of the study's.
     pub mesh: Option<RawMesh>,
+    /// In place of the study's.
     pub body: Option<Vec<Spanned<RawBody>>>,
+    /// In place of the study's.
     pub boundary: Option<Vec<RawBoundary>>,
+    /// In place of the study's.
     pub contact: Option<RawContact>,
+    /// In place of the study's.
     pub slide: Option<Spanned<RawSlide>>,
+    /// In place of the study's.
     pub curve: Option<Vec<Spanned<RawCurve>>>,
+    /// In place of the study's.
     pub discretisation: Option<Spanned<RawDiscretisation>>,
+    /// In place of the study's.
     pub exact: Option<Spanned<RawExact>>,
+    /// In place of the study's.
     pub formula: Option<Spanned<RawFormula>>,
+    /// In place of the study's.
     pub lemma: Option<Spanned<RawLemma>>,
+    /// In place of the study's.
     pub family: Option<Spanned<RawFamily>>,
+    /// In place of the study's.
     pub levels: Option<RawLevels>,
+    /// In place of the study's.
     pub reference: Option<Spanned<RawReference>>,
+    /// In place of the study's.
     pub solver: Option<RawSolver>,
+    /// In place of the study's.
     pub splitting: Option<Spanned<RawSplitting>>,
+    /// In place of the study's.
     pub gates: Option<Spanned<RawGates>>,
+    /// In place of the study's.
     pub expected: Option<Spanned<RawExpected>>,
 }
 
-#[derive(Deserialize)]
+/// A mesh file, whose physical groups name bodies, boundary parts and the contact zone.
+#[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RawMesh {
+    /// Gmsh 4.1, from the folder of the study.
     pub file: Spanned<String>,
     /// What the file holds, filled in after parsing.
     #[serde(skip)]
     pub content: Arc<[u8]>,
 }
 
-#[derive(Clone, Copy, Deserialize)]
+/// The verdict that a study must get.
+#[derive(Clone, Copy, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Expect {
+    /// The claim is refuted.
     Fail,
+    /// The study cannot judge.
     Inconclusive,
+    /// The scene has no equilibrium, or none that double precision can tell.
     Refused,
 }
 
-#[derive(Deserialize)]
+/// A claim of a study's own.
+#[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RawClaim {
+    /// One line.
     pub statement: String,
+    /// How it is judged.
     pub kind: ClaimKind,
+    /// What it judges: `strain`, `energy`, `h1`, `l2`, `pressure_l2`, `pressure_dual`, `penetration_l2`, `contact_set`, `energy_gap`, `b_over_h2`, `solution_h1`, `ledger`, `splitting`, `kkt`, of a lemma `boundary_l2` or `constant`, of a formula `half_width`, `peak_pressure`, `force` or `formula`.
     pub norm: Spanned<String>,
+    /// What must hold for it to apply.
     #[serde(default)]
     pub hypotheses: Vec<String>,
+    /// The paper's bound on the rate.
     pub paper: Option<Finite>,
+    /// Today's bound.
     pub today: Option<Finite>,
+    /// The rate that the regularity suggests.
     pub expected: Option<Finite>,
+    /// Where statement and bounds come from.
     #[serde(default)]
     pub sources: Vec<String>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct RawBody {
-    pub name: Spanned<String>,
-    pub material: Spanned<RawMaterial>,
-    pub rectangle: Option<Spanned<Fixed<RawPoint, 2>>>,
-    pub divisions: Option<Spanned<Fixed<usize, 2>>>,
-    pub blocks: Option<Spanned<Vec<RawBlock>>>,
-    pub physical: Option<Spanned<String>>,
-    pub force: Option<RawField>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct RawBlock {
-    pub corners: Spanned<Fixed<RawPoint, 4>>,
-    pub divisions: Option<Spanned<Fixed<usize, 2>>>,
-    pub curves: Option<Fixed<Spanned<String>, 4>>,
-    pub grading: Option<Spanned<Fixed<Finite, 2>>>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct RawMaterial {
-    pub lame: Option<Fixed<Finite, 2>>,
-    pub young: Option<Spanned<Finite>>,
-    pub poisson: Option<Spanned<Finite>>,
-    pub plane: Option<Spanned<PlaneName>>,
-    pub orthotropic: Option<RawOrthotropic>,
-    pub matrix: Option<Fixed<Fixed<Finite, 3>, 3>>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct RawOrthotropic {
-    pub moduli: Fixed<Finite, 3>,
-    pub ratios: Fixed<Finite, 3>,
-    pub shear: Finite,
-}
-
-#[derive(Clone, Copy, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum PlaneName {
-    Strain,
-    Stress,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct RawBoundary {
-    pub body: Spanned<String>,
-    pub name: Spanned<String>,
-    pub along: Option<Spanned<Vec<RawPoint>>>,
-    pub physical: Option<Spanned<String>>,
-    #[serde(default)]
-    pub curves: Vec<Spanned<String>>,
-    pub condition: Spanned<ConditionName>,
-    pub value: Option<Spanned<RawField>>,
-}
-
-#[derive(Clone, Copy, Debug, Deserialize, PartialEq)]
-#[serde(rename_all = "kebab-case")]
-pub enum ConditionName {
-    Fixed,
-    Sliding,
-    Traction,
-    Free,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct RawContact {
-    pub along: Option<Spanned<Vec<RawPoint>>>,
-    #[serde(default)]
-    pub curves: Vec<Spanned<String>>,
-    pub gap: Option<Spanned<Fixed<Spanned<String>, 2>>>,
-    pub physical: Option<Spanned<Vec<Fixed<Spanned<String>, 2>>>>,
-    pub direction: Option<Spanned<RawPoint>>,
-    pub initial_gap: Option<Spanned<String>>,
-    #[serde(default)]
-    pub symmetric: bool,
-    #[serde(default)]
-    pub bilateral: Vec<Spanned<Fixed<RawPoint, 2>>>,
-}
-
-impl RawContact {
-    /// Where the zone is said to be.
-    pub fn span(&self) -> Option<std::ops::Range<usize>> {
-        let along = self.along.as_ref().map(Spanned::span);
-        along.or(self.gap.as_ref().map(Spanned::span)).or(self.physical.as_ref().map(Spanned::span))
-    }
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct RawSlide {
-    pub body: Spanned<String>,
-    pub along: Spanned<Fixed<RawPoint, 2>>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct RawCurve {
-    pub name: Spanned<String>,
-    pub circle: Option<Spanned<RawCircle>>,
-    pub graph: Option<Spanned<RawGraph>>,
-    pub through: Option<Spanned<Vec<RawPoint>>>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct RawCircle {
-    pub centre: RawPoint,
-    pub radius: Finite,
-    pub from: Finite,
-    pub to: Finite,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct RawGraph {
-    pub xi: Spanned<String>,
-    pub from: Finite,
-    pub to: Finite,
-    pub direction: Option<RawPoint>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct RawDiscretisation {
-    pub element: Option<ElementName>,
-    pub geometry: Option<GeometryName>,
-    pub normals: Option<NormalsName>,
-    pub skew: Option<Spanned<Finite>>,
-}
-
-#[derive(Clone, Copy, Deserialize, PartialEq)]
-#[serde(rename_all = "kebab-case")]
-pub enum ElementName {
-    Physical,
-    Isoparametric,
-}
-
-#[derive(Clone, Copy, Deserialize, PartialEq)]
-#[serde(rename_all = "kebab-case")]
-pub enum GeometryName {
-    Exact,
-    Chords,
-}
-
-#[derive(Clone, Copy, Deserialize, PartialEq)]
-#[serde(rename_all = "kebab-case")]
-pub enum NormalsName {
-    True,
-    Averaged,
-    Chord,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct RawExact {
-    pub builtin: Option<Spanned<String>>,
-    pub first: Option<RawField>,
-    pub second: Option<RawField>,
-    pub traces: Option<Spanned<RawTraces>>,
-    #[serde(default)]
-    pub singular: Vec<RawPoint>,
-    #[serde(default)]
-    pub breaks: Vec<Fixed<RawPoint, 2>>,
-    #[serde(default)]
-    pub switches: Vec<RawPoint>,
-    pub materials: Option<Spanned<Fixed<RawLame, 2>>>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct RawTraces {
-    pub lemma: Spanned<TraceLemma>,
-    pub w: RawField,
-    pub a: RawField,
-    pub p: Spanned<String>,
-    pub f: Option<Spanned<RawField>>,
-    pub centre: Option<Spanned<RawPoint>>,
-    pub radius: Option<Spanned<Finite>>,
-    pub middle: Option<Spanned<Finite>>,
-    pub cutoff: Option<RawField>,
-    #[serde(default)]
-    pub switches: Vec<Finite>,
-    #[serde(default)]
-    pub singular: Vec<Finite>,
-    #[serde(default)]
-    pub breaks: Vec<Finite>,
-}
-
-#[derive(Clone, Copy, Debug, Deserialize, PartialEq)]
-#[serde(rename_all = "kebab-case")]
-pub enum TraceLemma {
-    Line,
-    Arc,
-    Graph,
-}
-
-impl TraceLemma {
-    /// As it is written in the file.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Line => "line",
-            Self::Arc => "arc",
-            Self::Graph => "graph",
-        }
-    }
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct RawFormula {
-    pub force: Option<Spanned<NumberOrText>>,
-    pub half_width: Option<Spanned<NumberOrText>>,
-    pub peak_pressure: Option<Spanned<NumberOrText>>,
-    pub pressure: Option<Spanned<String>>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct RawLame {
-    pub lame: Fixed<Finite, 2>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct RawLemma {
-    pub kind: LemmaName,
-    pub semi_axes: Option<Spanned<Fixed<Finite, 2>>>,
-    pub function: Option<Spanned<String>>,
-    pub side: Option<Spanned<SideName>>,
-    pub interval: Option<Spanned<Fixed<Finite, 2>>>,
-    pub norms: Option<Spanned<NormsName>>,
-    pub seed: Option<Spanned<u64>>,
-}
-
-#[derive(Clone, Copy, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum LemmaName {
-    BoundaryInterpolation,
-    InverseInequality,
-    Strip,
-}
-
-#[derive(Clone, Copy, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum SideName {
-    Inside,
-    Outside,
-}
-
-#[derive(Clone, Copy, Deserialize, PartialEq)]
-#[serde(rename_all = "kebab-case")]
-pub enum NormsName {
-    Seminorms,
-    FullRight,
-    Full,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct RawFamily {
-    pub name: FamilyName,
-    pub seed: Option<Spanned<u64>>,
-    pub amount: Option<Spanned<Finite>>,
-    pub coarse: Option<Spanned<CoarseName>>,
-    pub towards: Option<Spanned<RawPoint>>,
-    pub strength: Option<Spanned<Finite>>,
-    pub direction: Option<Spanned<usize>>,
-    pub triangles: Option<Spanned<TrianglesName>>,
-}
-
-#[derive(Clone, Copy, Deserialize, PartialEq)]
-#[serde(rename_all = "kebab-case")]
-pub enum TrianglesName {
-    Right,
-    Obtuse,
-}
-
-#[derive(Clone, Copy, Deserialize, PartialEq)]
-#[serde(rename_all = "kebab-case")]
-pub enum CoarseName {
-    Perturbed,
-    Delaunay,
-}
-
-#[derive(Clone, Copy, Deserialize, PartialEq)]
-#[serde(rename_all = "kebab-case")]
-pub enum FamilyName {
-    Structured,
-    CrissCross,
-    UnionJack,
-    Perturbed,
-    Refined,
-    Delaunay,
-    Graded,
-    Degenerate,
-}
-
-#[derive(Default, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct RawLevels {
-    pub quick: Option<Spanned<Vec<usize>>>,
-    pub full: Option<Spanned<Vec<usize>>>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct RawReference {
-    pub kind: ReferenceName,
-    pub quick: Option<Spanned<usize>>,
-    pub full: Option<Spanned<usize>>,
-    pub project: Option<Spanned<bool>>,
-}
-
-#[derive(Clone, Copy, Deserialize, PartialEq)]
-#[serde(rename_all = "kebab-case")]
-pub enum ReferenceName {
-    Exact,
-    Overkill,
-    None,
-}
-
-#[derive(Default, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct RawSolver {
-    pub name: Option<SolverName>,
-    pub tolerance: Option<Spanned<Finite>>,
-    pub crossover: Option<bool>,
-    pub max_steps: Option<Spanned<usize>>,
-    pub start_slide: Option<Spanned<Finite>>,
-    pub second: Option<Spanned<SolverName>>,
-    pub accuracy: Option<Spanned<Finite>>,
-}
-
-#[derive(Clone, Copy, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum SolverName {
-    Condensed,
-    Monotone,
-    InteriorPoint,
-    Multigrid,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct RawGates {
-    pub rate_tolerance: Option<Spanned<Finite>>,
-    pub ceiling: Option<Spanned<OrNone>>,
-    pub exact_tolerance: Option<Spanned<Finite>>,
-    pub fall: Option<Spanned<Finite>>,
-    pub spread: Option<Spanned<Finite>>,
-    pub constant: Option<Spanned<Finite>>,
-    pub share: Option<Spanned<Finite>>,
-    pub fixed_quadrature: Option<Spanned<bool>>,
-    pub reason: Option<String>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct RawExpected {
-    pub rate: Option<ExpectedRate>,
-    pub paper: Option<OrNone>,
-    pub today: Option<OrNone>,
-    #[serde(default)]
-    pub asymptotic_only: bool,
-    pub borderline: Option<bool>,
-    pub reason: Option<String>,
 }

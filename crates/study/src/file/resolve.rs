@@ -7,6 +7,7 @@ use super::field::{INSIDE, vector_field};
 use super::imported::Geometry;
 use super::layer::Layer;
 use super::raw::{Expect, RawBody, RawStudy};
+use super::spanned::Spanned;
 use super::{
     bilateral, boundary, discretisation, exact, formula, imported, initial_gap, judge, lemma, material, plan, shape,
     slide, splitting, words,
@@ -18,7 +19,6 @@ use crate::study::{Case, ReferencePlan, Scene, Study, Subject};
 use std::collections::BTreeMap;
 use std::ops::Range;
 use std::path::Path;
-use toml::Spanned;
 
 /// The study of the tables, read from `path`.
 pub fn study(raw: &RawStudy, path: &Path) -> Result<Study, Fault> {
@@ -125,6 +125,7 @@ fn case(name: &Spanned<String>, layer: Layer<'_>, claim: &Claim) -> Result<Case,
         splitting,
         fixed_quadrature,
         canonical: String::new(),
+        changed: None,
         parameters: BTreeMap::new(),
     };
     case.canonical = canonical::text(&case, &layer, claim);

@@ -5,12 +5,12 @@ use super::error::{Fault, refuse};
 use super::fixed::Fixed;
 use super::number::Finite;
 use super::raw::{RawBlock, RawBody, RawPoint};
+use super::spanned::Spanned;
 use crate::study::{Block, Shape};
 use signorini_contact::Point;
 use signorini_contact::geometry::{Path, Piece, SharedCurve, twice_area};
 use signorini_contact::mesh::blocks::{EVEN, QuadBlock};
 use std::ops::Range;
-use toml::Spanned;
 
 /// Steepest grading of a block: beyond it cells are needles.
 const STEEPEST: f64 = 1e4;

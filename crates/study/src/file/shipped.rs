@@ -5,7 +5,7 @@ use super::library::Group;
 macro_rules! shipped {
     ($($group:ident $folder:literal: $($id:literal)*;)*) => {
         /// Group, id and text, in the order in which they are listed.
-        pub(super) const SHIPPED: &[(Group, &str, &str)] = &[
+        pub(crate) const SHIPPED: &[(Group, &str, &str)] = &[
             $($((
                 Group::$group,
                 $id,

@@ -1,16 +1,17 @@
 //! The table that asks for Falk's splitting.
 
 use super::error::{Fault, refuse};
+use super::spanned::Spanned;
 use crate::claim::Claim;
 use crate::record::Estimate;
 use crate::splitting::SplittingPlan;
 use crate::study::{ReferencePlan, Subject};
+use schemars::JsonSchema;
 use serde::Deserialize;
 use std::ops::Range;
-use toml::Spanned;
 
 /// `[splitting]`.
-#[derive(Deserialize)]
+#[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RawSplitting {
     /// Which form of the estimate.

@@ -5,12 +5,12 @@ use super::field::expression_fault;
 use super::number::Finite;
 use super::raw::{RawField, RawTraces, TraceLemma};
 use super::shape::point;
+use super::spanned::Spanned;
 use crate::exact::{LineText, TraceError, TraceName, TraceTexts, Traces};
 use crate::study::Shape;
 use signorini_contact::{Body, Point, material::Lame};
 use std::collections::BTreeMap;
 use std::ops::Range;
-use toml::Spanned;
 
 /// The solution of the traces. `reach` is how far breaks run into the bodies.
 pub fn traces(

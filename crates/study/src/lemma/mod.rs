@@ -186,5 +186,6 @@ fn level(index: usize, cells: usize, certificate: Certificate, errors: Errors, b
         solution_trace: None,
         contact: None,
         second: None,
+        fields: None,
     }
 }

@@ -1,9 +1,10 @@
 //! What a level did on the bilateral part of its contact zone.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// The bilateral constraints of a level. The certificate's signs are asked of the unilateral ones alone.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct BilateralRecord {
     /// How many there are.
     pub constraints: usize,

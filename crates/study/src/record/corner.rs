@@ -1,10 +1,11 @@
 //! The corners of a scene and the exponents of the solution there.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// A point where the boundary of a body turns, its condition changes, or the contact zone ends, with the local exponents
 /// `λ` of `u ~ r^λ`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Corner {
     /// Where; across a gap, the point of `Ω'`.
     pub point: [f64; 2],
@@ -17,7 +18,7 @@ pub struct Corner {
 }
 
 /// One body near a corner.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct CornerWedge {
     /// Name of the body.
     pub body: String,
@@ -28,7 +29,7 @@ pub struct CornerWedge {
 }
 
 /// One state of the contact at a corner.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct CornerState {
     /// `open` or `closed` for each ray of contact from the corner, in the order of the zone; empty away from the zone.
     pub rays: Vec<RayState>,
@@ -42,7 +43,7 @@ pub struct CornerState {
 }
 
 /// Whether the bodies touch along a ray from a corner.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum RayState {
     /// Apart: both faces are free.

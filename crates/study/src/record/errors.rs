@@ -1,9 +1,10 @@
 //! The errors of one level, as a record holds them.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Errors against the reference. `None` where the reference or the scene gives no value.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Errors {
     /// The paper's seminorm, `(∫ ε_ij(e) ε_ij(e) dx)^{1/2}`.
     pub strain: Option<f64>,

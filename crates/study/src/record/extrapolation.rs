@@ -1,11 +1,12 @@
 //! What the energies of nested levels say of the error without any reference.
 
 use super::Rate;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// The limit `L*` of the levels' energies `L(u_h) ≈ L* + C h^{2r}`, and the errors that it bounds. Where `K_h ⊂ K`,
 /// `A(u−u_h, u−u_h) ≤ 2 (L(u_h) − L(u))`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Extrapolation {
     /// `L*`, from the three finest levels.
     pub energy: f64,

@@ -1,10 +1,11 @@
 //! The ledger of one level, as a record holds it.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
 /// `½A(e,e) ≤ a + b + c`, term by term.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Ledger {
     /// `½A(e,e)`.
     pub lhs: f64,

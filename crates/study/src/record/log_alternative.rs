@@ -1,10 +1,11 @@
 //! A rate with a logarithm, as a record holds it.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// `e ≈ C h^exponent |log h|^q` with `q` given, fitted to the levels of the [`Rate`](super::Rate) that holds it. Reported where
 /// the regularity is borderline and never gated: on a few levels a logarithm is hard to tell from a change of the exponent.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct LogAlternative {
     /// The given power of the logarithm.
     pub q: f64,

@@ -1,9 +1,10 @@
 //! A second solver's answer beside the first one's.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// What another solver says of the same discrete problem, and how far the two answers are apart.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct SecondOpinion {
     /// `interior-point`, `monotone`, `condensed`.
     pub name: String,

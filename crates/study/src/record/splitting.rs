@@ -1,9 +1,10 @@
 //! Falk's splitting on one level, as a record holds it.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Which form of the estimate.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Estimate {
     /// Lemma 1.1, (1.1), for every `v ∈ K`.
@@ -29,7 +30,7 @@ impl Estimate {
 }
 
 /// The estimate for one kind of `v ∈ K` and one of `v_h ∈ K_h`; of several random fields the pair with the least slack.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Splitting {
     /// Which form.
     pub estimate: Estimate,

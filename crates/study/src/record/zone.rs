@@ -1,10 +1,11 @@
 //! What a record holds of the contact zone itself: force, contact width, pressure, and what a formula says of them.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// The contact of one level in numbers that an engineer asks for. Of a symmetric half model force and width are those of
 /// the whole.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct ContactMeasure {
     /// Sum of the multipliers of the zone, `∫ p dμ`: the force across a gap, the integral of the pressure along a path.
     pub force: f64,
@@ -22,7 +23,7 @@ pub struct ContactMeasure {
 }
 
 /// The numbers of a formula; `None` where it gives none.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct FormulaValues {
     /// As [`ContactMeasure::force`].
     pub force: Option<f64>,
@@ -34,7 +35,7 @@ pub struct FormulaValues {
 
 /// Pressure and gap node by node, in the order of the zone. All lists have the same length; a corner with two
 /// constraints stands twice, a constraint that the supports decide not at all.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct ZoneProfile {
     /// Whether the zone is measured in `η`, across a gap, and not by its length.
     pub across_gap: bool,
@@ -53,7 +54,7 @@ pub struct ZoneProfile {
 }
 
 /// A pressure to compare with, at the nodes of a [`ZoneProfile`].
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct ReferencePressure {
     /// Where it comes from.
     pub source: PressureSource,
@@ -62,7 +63,7 @@ pub struct ReferencePressure {
 }
 
 /// Where a [`ReferencePressure`] comes from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum PressureSource {
     /// The study's formula, which need not hold exactly.

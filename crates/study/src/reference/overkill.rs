@@ -36,8 +36,7 @@ impl Overkill {
 
     /// Squares of `u_ref − v` for a field on the reference mesh.
     pub fn error(&self, materials: &[Material; 2], v: &[Vec2]) -> Squares {
-        let difference: Vec<Vec2> = self.solution.displacement.iter().zip(v).map(|(u, v)| u - v).collect();
-        norm::of_linear(self.hierarchy.finest(), materials, &difference)
+        norm::of_linear_difference(self.hierarchy.finest(), materials, &self.solution.displacement, v)
     }
 
     /// `A(u_ref, w) − f(w) = −Σ λ_c w_c` for `w = v − u_ref`: the reference's own residual, which stands for the exact

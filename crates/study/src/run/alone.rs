@@ -49,7 +49,7 @@ impl Alone<'_> {
             scene.bilateral = (0..scene.contact.pieces().len()).collect();
         }
         let settings = Settings { method, accuracy: Accuracy::Discretisation(SHARE), ..case.solver };
-        let task = Task { case: &case, scene: &scene, cells: self.cells, settings, constrain: Zone::new };
+        let task = Task::new(&case, &scene, self.cells, settings);
         let index = self.cells.len() - 1;
         match (&scene.exact, constraints) {
             (Some(exact), Constraints::OfScene) if case.reference == ReferencePlan::Exact => {
@@ -67,7 +67,7 @@ impl Alone<'_> {
     pub fn compare(&self, first: Method, second: Method) -> Result<(Level, usize), RunError> {
         let case = Case { second: Some(second), splitting: None, ..self.case.clone() };
         let settings = Settings { method: first, accuracy: Accuracy::Floor, ..case.solver };
-        let task = Task { case: &case, scene: self.scene, cells: self.cells, settings, constrain: Zone::new };
+        let task = Task::new(&case, self.scene, self.cells, settings);
         let index = self.cells.len() - 1;
         let hierarchy = family::build_level(&case.family, &self.scene.domain(), self.cells, index)?.hierarchy;
         Ok((task.without_reference(index)?.0, hierarchy.levels().len() - 1))

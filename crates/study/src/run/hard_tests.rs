@@ -77,7 +77,8 @@ initial_gap = "GAP"
 
 fn run_text(text: &str) -> Result<StudyRecord, RunError> {
     let study = Study::parse(text, Path::new("column.toml")).unwrap_or_else(|e| panic!("{e}"));
-    let settings = RunSettings { profile: Profile::Quick, levels: None, solver: None, partial: None };
+    let settings =
+        RunSettings { profile: Profile::Quick, levels: None, solver: None, partial: None, keep: Default::default() };
     run_case(&study, &study.cases[0], &settings, &Unwatched).map(|run| run.record)
 }
 
@@ -194,7 +195,8 @@ fn the_monotone_method_confirms_too() {
 #[test]
 fn hard_cases_are_solved_or_refused() {
     use crate::file::Group;
-    let settings = RunSettings { profile: Profile::Quick, levels: Some(1), solver: None, partial: None };
+    let settings =
+        RunSettings { profile: Profile::Quick, levels: Some(1), solver: None, partial: None, keep: Default::default() };
     let studies: Vec<Study> = crate::file::library::shipped().group(Group::Hard).map(|s| s.load().unwrap()).collect();
     let cheap = |study: &&Study| !["hard-million", "hard-gaps"].contains(&study.id.as_str());
     let mut cases = 0;

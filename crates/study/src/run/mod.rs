@@ -5,7 +5,7 @@
 
 mod alone;
 mod check;
-mod contact;
+pub(crate) mod contact;
 mod contact_width;
 mod corners;
 #[cfg(test)]
@@ -19,6 +19,7 @@ mod reference;
 mod refusal;
 mod refused;
 mod slide;
+mod step;
 #[cfg(test)]
 mod tests;
 #[cfg(test)]
@@ -30,7 +31,9 @@ mod zone_ledger;
 
 use crate::error::RunError;
 use crate::exact::verify;
+use crate::external::External;
 use crate::extrapolation;
+use crate::fields::{Fields, Keep};
 use crate::lemma::Lemma;
 use crate::rate;
 use crate::record::{Level, Reference, SCHEMA, StudyRecord, ZoneProfile};
@@ -48,10 +51,11 @@ use rayon::prelude::*;
 pub use refusal::check_refusal;
 pub use signorini_contact::solver::Method;
 use signorini_contact::solver::Settings;
-use signorini_contact::zone::Zone;
 use std::cmp::Reverse;
 use std::path::PathBuf;
 use std::sync::OnceLock;
+pub use step::{Step, work};
+use step::{Steps, stepped};
 use timing::{LevelTimes, Stopwatch};
 
 /// How large the meshes are.
@@ -70,16 +74,42 @@ pub struct RunSettings {
     pub profile: Profile,
     /// This many levels from the coarsest, instead of the profile's own number.
     pub levels: Option<usize>,
-    /// A method in place of the study's own, with the study's other settings.
-    pub solver: Option<Method>,
+    /// A solver in place of the study's own, with the study's other settings.
+    pub solver: Option<Solver>,
     /// Where unfinished cases keep their finished levels; nothing is kept without it.
     pub partial: Option<PathBuf>,
+    /// Which levels keep their fields.
+    pub keep: Keep,
 }
 
-/// Who is told how far a run has come.
+/// Who solves the levels. References are always solved here.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Solver {
+    /// A method of this program.
+    Own(Method),
+    /// Another program.
+    External(External),
+}
+
+impl Solver {
+    /// The method, if it is one of this program.
+    pub fn own(&self) -> Option<Method> {
+        if let Self::Own(method) = self { Some(*method) } else { None }
+    }
+}
+
+/// Who is told how far a run has come, and may stop it.
 pub trait Watch: Sync {
-    /// A level, or the reference, is done.
-    fn level_done(&self, _study: &str, _case: &str, _level: usize) {}
+    /// A level, or the reference, is begun.
+    fn begun(&self, _step: &Step<'_>) {}
+
+    /// It is done.
+    fn done(&self, _step: &Step<'_>) {}
+
+    /// Whether the run is to stop: asked before each step. Steps that have begun are finished and kept.
+    fn stops(&self) -> bool {
+        false
+    }
 }
 
 /// Nobody is told.
@@ -95,6 +125,8 @@ pub struct CaseRun {
     pub times: Vec<LevelTimes>,
     /// The reference solve.
     pub reference_times: Option<LevelTimes>,
+    /// The fields of the levels that keep theirs, coarsest first.
+    pub fields: Vec<Fields>,
     kept: Partial,
 }
 
@@ -166,17 +198,19 @@ fn run_lemma(
     watch: &dyn Watch,
 ) -> Result<CaseRun, RunError> {
     let cells = cells_of(case, settings);
+    let steps = Steps::of(study, case, settings);
     let measure = |index: usize| {
-        let mut clock = Stopwatch::start();
-        let level = lemma.measure(cells, index)?;
-        clock.lap(|t| &mut t.error);
-        watch.level_done(&study.id, &case.name, index);
-        Ok((level, clock.finish()))
+        stepped(watch, &steps.level(index), || {
+            let mut clock = Stopwatch::start();
+            let level = lemma.measure(cells, index)?;
+            clock.lap(|t| &mut t.error);
+            Ok((level, clock.finish()))
+        })
     };
     let (levels, times) = side_by_side(cells.len(), measure)?;
     let reference = if case.reference == ReferencePlan::Exact { Reference::Exact } else { Reference::None };
     let record = conclude(study, case, settings, levels, reference, None)?;
-    Ok(CaseRun { record, times, reference_times: None, kept: Partial::none() })
+    Ok(CaseRun { record, times, reference_times: None, fields: Vec::new(), kept: Partial::none() })
 }
 
 /// Measures all levels, each by itself; the first error in their order.
@@ -199,32 +233,35 @@ fn run_contact(
     verify_exact(case, scene)?;
     slide::verify(scene, &study.claim.norm)?;
     let cells = cells_of(case, settings);
-    let task = Task { case, scene, cells, settings: solver_settings(case, settings), constrain: Zone::new };
-    let partial = Partial::open(study, case, settings, &task)?;
-    let overkill = solve_reference(&task, settings)?;
-    if overkill.is_some() {
-        watch.level_done(&study.id, &case.name, cells.len());
-    }
+    let external = match &settings.solver {
+        Some(Solver::External(external)) => Some(external.for_case(&study.id, &case.name)),
+        _ => None,
+    };
+    let task = Task {
+        keep: settings.keep.clone(),
+        external,
+        ..Task::new(case, scene, cells, solver_settings(case, settings))
+    };
+    // what another program answers may have changed with the program
+    let keeps = task.external.is_none();
+    let partial = if keeps { Partial::open(study, case, settings, &task)? } else { Partial::none() };
+    let steps = Steps::of(study, case, settings);
+    let overkill = solve_reference(&task, settings, watch, &steps)?;
     let measure = |index: usize| {
-        let measured = partial.level(index, || measure_level(&task, overkill.as_ref().map(|(o, _)| o), index));
-        watch.level_done(&study.id, &case.name, index);
-        measured
+        let measured = || measure_level(&task, overkill.as_ref().map(|(o, _)| o), index);
+        stepped(watch, &steps.level(index), || partial.level(index, measured))
     };
     let measured: Vec<_> = (0..cells.len()).into_par_iter().map(measure).collect();
     let refused::Parted { solved, refused } = refused::part(measured, cells)?;
-    let (levels, times) = solved.into_iter().unzip();
+    let (mut levels, times): (Vec<Level>, Vec<LevelTimes>) = solved.into_iter().unzip();
+    let fields = levels.iter_mut().filter_map(|level| level.fields.take()).map(|f| *f).collect();
+    let fields = settings.keep.finally(fields);
     let reference = reference::describe(case, overkill.as_ref().map(|(o, _)| o));
     let zone = overkill.as_ref().and_then(|(o, _)| reference::zone(scene, o));
     let mut record = conclude(study, case, settings, levels, reference, zone)?;
     record.verdict = refused::doubted(record.verdict, &refused);
     record.notes.extend(refused.into_iter().chain(level::bilateral::note(&record.levels)));
-    Ok(CaseRun { record, times, reference_times: overkill.map(|(_, t)| t), kept: partial })
-}
-
-/// How many times [`Watch::level_done`] will be called for a study: its levels, and one for each reference.
-pub fn work(study: &Study, settings: &RunSettings) -> usize {
-    let of = |case: &Case| cells_of(case, settings).len() + usize::from(reference_cells(case, settings).is_some());
-    study.cases.iter().map(of).sum()
+    Ok(CaseRun { record, times, reference_times: overkill.map(|(_, t)| t), fields, kept: partial })
 }
 
 /// The mesh parameters of a case under these settings, coarsest first.
@@ -235,7 +272,7 @@ fn cells_of<'a>(case: &'a Case, settings: &RunSettings) -> &'a [usize] {
 
 /// The study's solver settings, with the run's method if it names one.
 fn solver_settings(case: &Case, settings: &RunSettings) -> Settings {
-    Settings { method: settings.solver.unwrap_or(case.solver.method), ..case.solver }
+    Settings { method: settings.solver.as_ref().and_then(Solver::own).unwrap_or(case.solver.method), ..case.solver }
 }
 
 /// Pointwise verification of the exact solution, before any mesh. A solution built for other materials is a planted
@@ -256,8 +293,14 @@ fn verify_exact(case: &Case, scene: &Scene) -> Result<(), RunError> {
         .map_err(|e| RunError::Exact(e.to_string()))
 }
 
-fn solve_reference(task: &Task, settings: &RunSettings) -> Result<Option<(Overkill, LevelTimes)>, RunError> {
-    reference_cells(task.case, settings).map(|cells| task.overkill(cells)).transpose()
+fn solve_reference(
+    task: &Task,
+    settings: &RunSettings,
+    watch: &dyn Watch,
+    steps: &Steps,
+) -> Result<Option<(Overkill, LevelTimes)>, RunError> {
+    let Some(cells) = reference_cells(task.case, settings) else { return Ok(None) };
+    stepped(watch, &steps.reference(cells), || task.overkill(cells)).map(Some)
 }
 
 /// The mesh parameter of a case's overkill reference.
@@ -343,6 +386,7 @@ fn conclude(
         corners,
         extrapolation,
         refusal: None,
+        changed: case.changed.clone(),
     })
 }
 

@@ -36,13 +36,14 @@ impl Partial {
     pub fn open(study: &Study, case: &Case, settings: &RunSettings, task: &Task) -> Result<Self, RunError> {
         let Some(root) = &settings.partial else { return Ok(Self::none()) };
         let what = format!(
-            "{}\n{}\n{}\n{:?}\n{:?}\n{:?}\n{}",
+            "{}\n{}\n{}\n{:?}\n{:?}\n{:?}\n{:?}\n{}",
             study.id,
             case.name,
             case.fingerprint(),
             settings.profile,
             task.cells,
             task.settings,
+            task.keep,
             env!("CARGO_PKG_VERSION")
         );
         // No id and no case has an '@' in its name.
@@ -118,9 +119,10 @@ mod tests {
         let study = sample::study("theorem-3-1-smooth");
         let case = &study.cases[0];
         let partial = Some(root.0.clone());
-        let settings = RunSettings { profile: Profile::Quick, levels: None, solver: None, partial };
+        let settings =
+            RunSettings { profile: Profile::Quick, levels: None, solver: None, partial, keep: Default::default() };
         let scene = case.scene().unwrap();
-        let task = Task { case, scene, cells, settings: case.solver, constrain: signorini_contact::zone::Zone::new };
+        let task = Task { keep: settings.keep.clone(), ..Task::new(case, scene, cells, case.solver) };
         Partial::open(&study, case, &settings, &task).unwrap()
     }
 

@@ -16,7 +16,7 @@ pub fn run_refused(study: &Study, case: &Case, scene: &Scene, settings: &RunSett
     let mut record = conclude(study, case, settings, Vec::new(), Reference::None, None)?;
     record.verdict = judge(&refusal);
     record.refusal = Some(refusal);
-    Ok(CaseRun { record, times: Vec::new(), reference_times: None, kept: Partial::none() })
+    Ok(CaseRun { record, times: Vec::new(), reference_times: None, fields: Vec::new(), kept: Partial::none() })
 }
 
 /// What [`check_case`](super::check_case) is for a case that is to be refused; `None` for any other.

@@ -17,7 +17,8 @@ pub struct Parted<T> {
 /// Parts the results of all levels, in their order; `cells` are the mesh parameters.
 ///
 /// # Errors
-/// The first error that is no refusal of a load, or the first of all if no level has a solution.
+/// The first error that is neither a refusal of a load nor an external solver without an answer, or the first of all if no level has a
+/// solution.
 pub fn part<T>(results: Vec<Result<T, RunError>>, cells: &[usize]) -> Result<Parted<T>, RunError> {
     let mut parted = Parted { solved: Vec::new(), refused: Vec::new() };
     let mut first = None;
@@ -27,6 +28,10 @@ pub fn part<T>(results: Vec<Result<T, RunError>>, cells: &[usize]) -> Result<Par
             Err(RunError::Contact(Error::Solvability(why))) => {
                 parted.refused.push(format!("level {index} (n = {n}) is refused: {why}"));
                 first.get_or_insert(RunError::Contact(Error::Solvability(why)));
+            }
+            Err(RunError::External(why)) => {
+                parted.refused.push(format!("level {index} (n = {n}) has no answer: {why}"));
+                first.get_or_insert(RunError::External(why));
             }
             Err(other) => return Err(other),
         }

@@ -8,7 +8,8 @@ use crate::store::scratch::Scratch;
 fn run(id: &str, case: &str, levels: usize, partial: Option<PathBuf>) -> StudyRecord {
     let study = sample::study(id);
     let case = study.cases.iter().find(|c| c.name == case).unwrap();
-    let settings = RunSettings { profile: Profile::Quick, levels: Some(levels), solver: None, partial };
+    let settings =
+        RunSettings { profile: Profile::Quick, levels: Some(levels), solver: None, partial, keep: Default::default() };
     run_case(&study, case, &settings, &Unwatched).unwrap().record
 }
 
@@ -123,7 +124,8 @@ fn small(id: &str, case: &str, projects: bool) -> StudyRecord {
     let mut case = study.cases.iter().find(|c| c.name == case).unwrap().clone();
     (case.projects, case.quick) = (projects, vec![4, 8, 16]);
     case.reference = ReferencePlan::Overkill { quick: 32, full: 32 };
-    let settings = RunSettings { profile: Profile::Quick, levels: None, solver: None, partial: None };
+    let settings =
+        RunSettings { profile: Profile::Quick, levels: None, solver: None, partial: None, keep: Default::default() };
     run_case(&study, &case, &settings, &Unwatched).unwrap().record
 }
 
@@ -148,7 +150,8 @@ fn a_projection_is_the_nearest_of_all() {
 fn the_projection_of_a_closed_form_is_no_worse_than_its_interpolant() {
     let study = sample::study("theorem-3-4");
     let mut case = study.cases.iter().find(|c| c.name == "convex-structured").unwrap().clone();
-    let settings = RunSettings { profile: Profile::Quick, levels: Some(2), solver: None, partial: None };
+    let settings =
+        RunSettings { profile: Profile::Quick, levels: Some(2), solver: None, partial: None, keep: Default::default() };
     let solved = run_case(&study, &case, &settings, &Unwatched).unwrap().record;
     case.projects = true;
     let projected = run_case(&study, &case, &settings, &Unwatched).unwrap().record;

@@ -7,11 +7,11 @@ use crate::error::RunError;
 use crate::file::library::shipped;
 use crate::record::{Outcome, Reference, StudyRecord};
 use crate::study::{Case, PartCondition, Scene, Study};
-use signorini_contact::zone::Zone;
 use signorini_contact::{Body, Point, Vec2};
 use std::sync::Arc;
 
-const QUICK: RunSettings = RunSettings { profile: Profile::Quick, levels: None, solver: None, partial: None };
+const QUICK: RunSettings =
+    RunSettings { profile: Profile::Quick, levels: None, solver: None, partial: None, keep: crate::fields::Keep::None };
 
 fn study(id: &str) -> Study {
     shipped().select(&[id.to_owned()]).unwrap()[0].load().unwrap()
@@ -30,7 +30,7 @@ fn tied(id: &str, name: &str, cells: &[usize], pieces: &[usize]) -> Result<Study
     case.bounds = study.claim.bounds.clone();
     let mut scene = case.scene().unwrap().clone();
     scene.bilateral = pieces.to_vec();
-    let task = Task { case: &case, scene: &scene, cells, settings: case.solver, constrain: Zone::new };
+    let task = Task::new(&case, &scene, cells, case.solver);
     let levels: Result<Vec<_>, RunError> = (0..cells.len()).map(|k| Ok(measure_level(&task, None, k)?.0)).collect();
     conclude(&study, &case, &QUICK, levels?, Reference::Exact, None)
 }

@@ -1,6 +1,7 @@
 //! Seconds and bytes of a level, kept in a file apart from the record so that records stay identical from run to run.
 
 use super::processor::processor_seconds;
+use crate::external::Used;
 use serde::{Deserialize, Serialize};
 use std::time::Instant;
 
@@ -19,6 +20,9 @@ pub struct LevelTimes {
     pub error: f64,
     /// Largest resident memory of the process so far, where the system tells.
     pub peak_bytes: Option<u64>,
+    /// What the program used that solved the level in place of this one. Its wall time is in `solve`, and the peak is its own.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub external: Option<Used>,
     /// Processor seconds of the whole process in each phase, in the order of [`LevelTimes::phases`], where the system tells. They
     /// are those of the level only where nothing else runs beside it, so they are not written with the others.
     #[serde(skip)]
@@ -66,9 +70,18 @@ impl Stopwatch {
         self.last_processor = used;
     }
 
+    /// Ends a phase in which another program did the work, after files were written for it.
+    pub fn external(&mut self, used: Used) {
+        self.lap(|t| &mut t.assembly);
+        self.times.assembly = (self.times.assembly - used.seconds).max(0.0);
+        self.times.solve += used.seconds;
+        self.processor.solve += used.processor;
+        self.times.external = Some(used);
+    }
+
     /// The times, with the memory's high-water mark.
     pub fn finish(mut self) -> LevelTimes {
-        self.times.peak_bytes = peak_bytes();
+        self.times.peak_bytes = self.times.external.map(|used| used.peak_bytes).or_else(peak_bytes);
         self.times.processor = self.last_processor.map(|_| self.processor.phases());
         self.times
     }

@@ -25,9 +25,10 @@ fn study(id: &str) -> Study {
 fn run(id: &str, case: &str, cells: &[usize], constrain: Constrain) -> StudyRecord {
     let study = study(id);
     let case = study.cases.iter().find(|c| c.name == case).unwrap();
-    let task = Task { case, scene: case.scene().unwrap(), cells, settings: Settings::default(), constrain };
+    let task = Task { constrain, ..Task::new(case, case.scene().unwrap(), cells, Settings::default()) };
     let levels = (0..cells.len()).map(|k| measure_level(&task, None, k).unwrap().0).collect();
-    let settings = RunSettings { profile: Profile::Quick, levels: None, solver: None, partial: None };
+    let settings =
+        RunSettings { profile: Profile::Quick, levels: None, solver: None, partial: None, keep: Default::default() };
     conclude(&study, case, &settings, levels, Reference::Exact, None).unwrap()
 }
 

@@ -8,6 +8,7 @@ use super::Baseline;
 use super::baseline::{BaselineCase, BaselineLevel, norm_rates, reference_dofs};
 use crate::claim::quantity::in_words;
 use crate::record::{Level, StudyRecord};
+use std::fmt;
 
 /// Relative change of an energy.
 const ENERGY: f64 = 1e-8;
@@ -18,10 +19,57 @@ const RATE: f64 = 5e-4;
 /// An error below this share of `‖u‖_A` is rounding and differs from machine to machine.
 const ROUNDING: f64 = 1e-11;
 
-/// Every difference between a record and its baseline, in words; empty where there is none.
-pub fn drift(baseline: &Baseline, record: &StudyRecord) -> Vec<String> {
+/// One difference between a record and its baseline. Prints as one line.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Drift {
+    /// What has moved, e.g. `level 2: energy`.
+    pub quantity: String,
+    /// The baseline's value; `None` where it has none.
+    pub was: Option<String>,
+    /// The run's.
+    pub now: Option<String>,
+    /// The change, as a share of the baseline's value; `None` of what is no number.
+    pub change: Option<f64>,
+    /// The largest change that counts as none, as a share too.
+    pub allowed: Option<f64>,
+    words: String,
+}
+
+impl Drift {
+    /// Of numbers, which may move by `allowed`; `words` is the line.
+    fn of_numbers(quantity: String, was: Option<f64>, now: Option<f64>, allowed: f64, words: String) -> Self {
+        let share = |part: f64| was.filter(|was| *was != 0.0).map(|was| part.abs() / was.abs());
+        Self {
+            quantity,
+            was: was.map(shown),
+            now: now.map(shown),
+            change: now.zip(was).and_then(|(now, was)| share(now - was)).filter(|c| c.is_finite()),
+            allowed: share(allowed),
+            words,
+        }
+    }
+
+    /// Of what is no number.
+    fn of_words(quantity: impl Into<String>, was: Option<String>, now: Option<String>, words: String) -> Self {
+        Self { quantity: quantity.into(), was, now, change: None, allowed: None, words }
+    }
+}
+
+impl fmt::Display for Drift {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.words)
+    }
+}
+
+/// Enough digits to tell the smallest change that counts.
+fn shown(value: f64) -> String {
+    format!("{value:.9e}")
+}
+
+/// Every difference between a record and its baseline; empty where there is none.
+pub fn drift(baseline: &Baseline, record: &StudyRecord) -> Vec<Drift> {
     let Some(case) = baseline.cases.get(&record.case) else {
-        return vec![format!("case {} has no baseline", record.case)];
+        return vec![Drift::of_words("case", None, None, format!("case {} has no baseline", record.case))];
     };
     let mut pairs: Vec<(&BaselineLevel, &Level)> =
         record.levels.iter().filter_map(|l| Some((case.levels.iter().find(|b| b.dofs == l.dofs)?, l))).collect();
@@ -33,9 +81,10 @@ pub fn drift(baseline: &Baseline, record: &StudyRecord) -> Vec<String> {
         }
     }
     if pairs.is_empty() {
-        return vec!["no level has as many dofs as a level of the baseline".into()];
+        let words = "no level has as many dofs as a level of the baseline".into();
+        return vec![Drift::of_words("dofs", None, None, words)];
     }
-    let mut found: Vec<String> = pairs.iter().flat_map(|(b, l)| of_solution(b, l)).collect();
+    let mut found: Vec<Drift> = pairs.iter().flat_map(|(b, l)| of_solution(b, l)).collect();
     if case.reference_dofs != reference_dofs(record) {
         return found;
     }
@@ -43,25 +92,32 @@ pub fn drift(baseline: &Baseline, record: &StudyRecord) -> Vec<String> {
     if pairs.len() == record.levels.len() && pairs.len() == case.levels.len() {
         found.extend(of_rates(case, record));
     } else if case.profile == record.profile {
-        found.push(format!("{} levels, the baseline has {}", record.levels.len(), case.levels.len()));
+        let (was, now) = (case.levels.len(), record.levels.len());
+        let words = format!("{now} levels, the baseline has {was}");
+        found.push(Drift::of_words("levels", Some(was.to_string()), Some(now.to_string()), words));
     }
     found
 }
 
-fn of_solution(b: &BaselineLevel, l: &Level) -> Vec<String> {
+fn of_solution(b: &BaselineLevel, l: &Level) -> Vec<Drift> {
     let mut found = Vec::new();
     if b.mesh_hash != l.mesh_hash {
-        found.push(format!("level {}: mesh {}, was {}", l.level, l.mesh_hash, b.mesh_hash));
+        let words = format!("level {}: mesh {}, was {}", l.level, l.mesh_hash, b.mesh_hash);
+        let (was, now) = (Some(b.mesh_hash.clone()), Some(l.mesh_hash.clone()));
+        found.push(Drift::of_words(format!("level {}: mesh", l.level), was, now, words));
     }
     // NaN is a change
     let moved = (l.energy - b.energy).abs();
-    if moved.is_nan() || moved > ENERGY * b.energy.abs() {
-        found.push(format!("level {}: energy {:.12e}, was {:.12e}", l.level, l.energy, b.energy));
+    let allowed = ENERGY * b.energy.abs();
+    if moved.is_nan() || moved > allowed {
+        let words = format!("level {}: energy {:.12e}, was {:.12e}", l.level, l.energy, b.energy);
+        let quantity = format!("level {}: energy", l.level);
+        found.push(Drift::of_numbers(quantity, Some(b.energy), Some(l.energy), allowed, words));
     }
     found
 }
 
-fn of_errors(b: &BaselineLevel, l: &Level) -> Vec<String> {
+fn of_errors(b: &BaselineLevel, l: &Level) -> Vec<Drift> {
     let floor = ROUNDING * l.solution_energy.unwrap_or(0.0);
     let errors = [
         ("strain error", l.errors.strain, b.strain_error),
@@ -70,30 +126,50 @@ fn of_errors(b: &BaselineLevel, l: &Level) -> Vec<String> {
         ("constant", l.errors.constant, b.constant),
     ];
     let moved = errors.into_iter().filter(|(_, now, was)| !same_error(*now, *was, floor));
-    moved.map(|(name, now, was)| format!("level {}: {name} {}, was {}", l.level, number(now), number(was))).collect()
+    let one = |(name, now, was): (&str, Option<f64>, Option<f64>)| {
+        let words = format!("level {}: {name} {}, was {}", l.level, number(now), number(was));
+        Drift::of_numbers(
+            format!("level {}: {name}", l.level),
+            was,
+            now,
+            allowed_error(was.unwrap_or(0.0), floor),
+            words,
+        )
+    };
+    moved.map(one).collect()
 }
 
-/// Equal to half a unit of the fourth significant digit, or to rounding.
+/// Equal as far as an error may be.
 fn same_error(now: Option<f64>, was: Option<f64>, floor: f64) -> bool {
     match (now, was) {
         (None, None) => true,
-        (Some(now), Some(0.0)) => now.abs() <= floor,
-        (Some(now), Some(was)) => {
-            let unit = 10.0_f64.powi(was.abs().log10().floor() as i32 - 3);
-            (now - was).abs() <= (0.5 * unit).max(floor)
-        }
+        (Some(now), Some(was)) => (now - was).abs() <= allowed_error(was, floor),
         _ => false,
     }
 }
 
-fn of_rates(case: &BaselineCase, record: &StudyRecord) -> Vec<String> {
-    let lost = case.rates.keys().filter(|name| !record.rates.contains_key(*name));
-    let mut found: Vec<String> = lost.map(|name| format!("{}: the rate is gone", in_words(name))).collect();
+/// Half a unit of the fourth significant digit, or rounding.
+fn allowed_error(was: f64, floor: f64) -> f64 {
+    if was == 0.0 {
+        return floor;
+    }
+    let unit = 10.0_f64.powi(was.abs().log10().floor() as i32 - 3);
+    (0.5 * unit).max(floor)
+}
+
+fn of_rates(case: &BaselineCase, record: &StudyRecord) -> Vec<Drift> {
+    let one = |name: &str, was: Option<f64>, now: Option<f64>, words: String| {
+        Drift::of_numbers(format!("{}: rate", in_words(name)), was, now, RATE, words)
+    };
+    let lost = case.rates.iter().filter(|(name, _)| !record.rates.contains_key(*name));
+    let lost = lost.map(|(name, was)| one(name, Some(*was), None, format!("{}: the rate is gone", in_words(name))));
+    let mut found: Vec<Drift> = lost.collect();
     for (name, rate) in norm_rates(record) {
-        match case.rates.get(name) {
-            None => found.push(format!("{}: rate {:.4}, was none", in_words(name), rate.slope)),
+        let told = format!("{}: rate {:.4}, was ", in_words(name), rate.slope);
+        match case.rates.get(name).copied() {
+            None => found.push(one(name, None, Some(rate.slope), told + "none")),
             Some(was) if (rate.slope - was).abs() > RATE => {
-                found.push(format!("{}: rate {:.4}, was {was:.4}", in_words(name), rate.slope));
+                found.push(one(name, Some(was), Some(rate.slope), format!("{told}{was:.4}")));
             }
             Some(_) => {}
         }
@@ -119,6 +195,11 @@ mod tests {
     fn blessed() -> Baseline {
         let hashes = [("structured".to_string(), "0123456789abcdef".to_string())].into();
         Baseline::from_records(&[record(5)], &hashes, "0.1.0").unwrap()
+    }
+
+    /// The differences as lines.
+    fn drift(baseline: &Baseline, record: &StudyRecord) -> Vec<String> {
+        super::drift(baseline, record).iter().map(Drift::to_string).collect()
     }
 
     fn moved(change: impl Fn(&mut StudyRecord)) -> Vec<String> {
@@ -169,6 +250,25 @@ mod tests {
             let found = moved(change);
             assert!(found.len() == 1 && found[0].contains(told), "{told}: {found:?}");
         }
+    }
+
+    /// The share of the change and the share that is allowed, for a table.
+    #[test]
+    fn a_change_is_measured_against_what_is_allowed() {
+        let mut run = record(5);
+        run.levels[2].energy *= 1.0 + 3e-8;
+        run.levels[1].errors.strain = run.levels[1].errors.strain.map(|e| 1.25 * e);
+        run.levels[4].mesh_hash = "f".repeat(16);
+        run.rates.get_mut("strain").unwrap().slope = 0.9;
+        let found = super::drift(&blessed(), &run);
+        let quantities: Vec<&str> = found.iter().map(|d| d.quantity.as_str()).collect();
+        assert_eq!(quantities, ["level 2: energy", "level 4: mesh", "level 1: strain error", "strain: rate"]);
+        let near = |x: Option<f64>, y: f64| x.is_some_and(|x| (x / y - 1.0).abs() < 1e-3);
+        assert!(near(found[0].change, 3e-8) && near(found[0].allowed, 1e-8), "{:?}", found[0]);
+        assert!(found[1].change.is_none() && found[1].now.as_deref() == Some("ffffffffffffffff"));
+        assert!(near(found[2].change, 0.25) && found[2].allowed.is_some_and(|a| a < 5e-4), "{:?}", found[2]);
+        assert!(near(found[3].change, 0.1) && near(found[3].allowed, 5e-4), "{:?}", found[3]);
+        assert_eq!(found[3].was.as_deref(), Some("1.000000000e0"));
     }
 
     /// Slopes of single terms may scatter: they are no part of a baseline, and their change is no drift.

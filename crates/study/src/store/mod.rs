@@ -17,7 +17,7 @@ mod summary;
 
 pub use atomic::{remove_if_present, write_atomic};
 pub use baseline::Baseline;
-pub use drift::drift;
+pub use drift::{Drift, drift};
 pub use records::{read_record, read_records, record_folder, write_record};
 pub use summary::{SummaryRow, read_summary, write_summary};
 
@@ -49,12 +49,12 @@ pub enum StoreError {
 }
 
 impl StoreError {
-    fn io(path: &Path) -> impl FnOnce(std::io::Error) -> Self {
+    pub(crate) fn io(path: &Path) -> impl FnOnce(std::io::Error) -> Self {
         let path = path.to_path_buf();
         move |source| Self::Io { path, source }
     }
 
-    fn content(path: &Path) -> impl FnOnce(RecordError) -> Self {
+    pub(crate) fn content(path: &Path) -> impl FnOnce(RecordError) -> Self {
         let path = path.to_path_buf();
         move |source| Self::Content { path, source }
     }
@@ -66,7 +66,7 @@ fn read(path: &Path) -> Result<String, StoreError> {
 }
 
 /// Reads a JSON file.
-fn read_json<T: serde::de::DeserializeOwned>(path: &Path) -> Result<T, StoreError> {
+pub(crate) fn read_json<T: serde::de::DeserializeOwned>(path: &Path) -> Result<T, StoreError> {
     serde_json::from_str(&read(path)?).map_err(|e| StoreError::content(path)(e.into()))
 }
 

@@ -14,10 +14,10 @@ const BALANCED: f64 = 1e-10;
 const MOTIONS: usize = 6;
 
 /// An iteration on one level.
-pub struct Iteration<'a> {
-    grid: &'a Grid<'a>,
+pub struct Iteration<'a, 'l> {
+    grid: &'l Grid<'a>,
     level: usize,
-    load: &'a [f64],
+    load: &'l [f64],
     /// The iterate, within its bounds.
     pub x: Vec<f64>,
     /// `r = f − Kx`, by recurrence.
@@ -43,9 +43,9 @@ pub struct Progress {
     pub active: usize,
 }
 
-impl<'a> Iteration<'a> {
+impl<'a, 'l> Iteration<'a, 'l> {
     /// Starts from `x`, which is within its bounds.
-    pub fn new(grid: &'a Grid<'a>, level: usize, load: &'a [f64], x: Vec<f64>) -> Self {
+    pub fn new(grid: &'l Grid<'a>, level: usize, load: &'l [f64], x: Vec<f64>) -> Self {
         let zeros = || vec![0.0; x.len()];
         let (rest, change, change_image, step, step_image) = (zeros(), zeros(), zeros(), zeros(), zeros());
         let mut iteration =

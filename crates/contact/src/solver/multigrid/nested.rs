@@ -26,7 +26,7 @@ const SLOW: f64 = 0.25;
 pub fn solve(qp: &BoundQp, mut levels: Levels, settings: &Settings) -> QpSolution {
     let motions = std::mem::take(&mut levels.motions);
     let grids = Grid::all(qp, levels);
-    let loads = loads(&grids, qp);
+    let mut loads = loads(&grids, qp);
     let mut run = Run {
         cycle: Cycle::new(&grids, &motions),
         grids: &grids,
@@ -49,7 +49,9 @@ pub fn solve(qp: &BoundQp, mut levels: Levels, settings: &Settings) -> QpSolutio
         let start = prolonged(&grids, level, &x);
         let aim = if level == finest { settings.accuracy } else { Accuracy::Discretisation(BELOW) };
         let most = if level == finest { MOST } else { MOST_BELOW };
-        let mut iteration = Iteration::new(&grids[level], level, load(&loads, qp, level), start);
+        // a coarse load goes with its level: the finest one needs the room
+        let own = loads.get_mut(level).map(std::mem::take);
+        let mut iteration = Iteration::new(&grids[level], level, own.as_deref().unwrap_or(&qp.load), start);
         ended = run.iterate(&mut iteration, below, aim, most, level == finest);
         energy = Some(iteration.energy());
         if level == finest && (ended.is_none() || run.distance.is_none()) {

@@ -5,6 +5,7 @@ use super::curve::Curves;
 use super::error::{Fault, refuse};
 use super::layer::Layer;
 use super::raw::{RawBody, RawBoundary, RawMesh};
+use super::spanned::Spanned;
 use crate::msh::body::{BodyMesh, lower_first};
 use crate::msh::chain::{along, rows, straight};
 use crate::msh::zone::{Faces, zone};
@@ -15,7 +16,6 @@ use signorini_contact::{Body, ContactLine};
 use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::Arc;
-use toml::Spanned;
 
 mod parts;
 mod plan;

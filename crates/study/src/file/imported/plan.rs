@@ -3,8 +3,8 @@
 use super::super::error::{Fault, refuse};
 use super::super::raw::{FamilyName, RawFamily, RawLevels, RawReference, ReferenceName};
 use crate::family::Family;
+use crate::file::spanned::Spanned;
 use std::ops::Range;
-use toml::Spanned;
 
 /// The family of a mesh out of a file is its own red refinement.
 pub fn family(raw: Option<&Spanned<RawFamily>>) -> Result<Family, Fault> {

@@ -40,6 +40,9 @@ const DEEPEST: u32 = 6;
 /// On meshes of more triangles than this low degrees are tried first: on coarser ones they never suffice.
 const FINE: usize = 100_000;
 
+/// Meshes of more triangles than this need not look closely to know how large the interpolation error is, roughly.
+const MANY: usize = 10_000;
+
 /// Size of the first pieces relative to their distance from a singular point.
 const ADAPTIVE_GRADING: f64 = 0.9;
 
@@ -98,8 +101,10 @@ impl Pair {
         // pieces are refined until they settle, so they may start larger than where one rule has to do
         let cubature = Cubature { grading: ADAPTIVE_GRADING, ..scene.cubature(0, fixed) };
         let element = |t: usize| ElementIntegrand::new(scene, exact, mesh, interpolant, t);
+        // of many elements each has one point of its three, in turn
+        let sample = |t: usize| (mesh.triangles.len() > MANY).then_some(t % 3);
         let rough = |t: usize| {
-            if mesh.curved.of(t).is_some() { 0.0 } else { element(t).rough_energy(&cubature) }
+            if mesh.curved.of(t).is_some() { 0.0 } else { element(t).rough_energy(&cubature, sample(t)) }
         };
         let total = ordered_sum(mesh.triangles.len(), rough);
         let share = total * f64::min(SMALLEST_SHARE, 1.0 / mesh.triangles.len() as f64);

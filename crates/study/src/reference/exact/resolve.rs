@@ -4,13 +4,17 @@ use super::curved::CurvedPart;
 use super::element::{Element, ElementIntegrand, Rule};
 use signorini_contact::Vec2;
 use signorini_contact::element::CurvedTriangle;
-use signorini_contact::quadrature::{Cubature, Patch, quarter};
+use signorini_contact::quadrature::{Cubature, GAUSS_4, GAUSS_6, GAUSS_8, Patch, quarter};
 
 /// Share of the interpolation error's square that one more refinement of the quadrature may change.
 const ACCURACY: f64 = 2.5e-7;
 
 /// Share of the interpolation error, in the energy norm, that the loads may change by under one more refinement.
 const LOAD_ACCURACY: f64 = 1e-4;
+
+/// The same where two rules of one piece are compared, and not a piece with its quarters: rules that are not far apart may both
+/// miss a force that jumps.
+const RULE_LOAD_ACCURACY: f64 = 1e-6;
 
 /// Shares of the loads and of `A(u,u)` to which rules of degree 4 and 5 have to agree if they are to suffice.
 const LOAD_ROUNDING: f64 = 1e-11;
@@ -27,9 +31,9 @@ impl ElementIntegrand<'_> {
         pair
     }
 
-    /// By a rule and a finer one on every piece, degrees 5 and 8. Where the two differ too much, degree 10 takes over, and pieces
-    /// are split until it settles. `share` of the interpolation error is allowed to each piece, and a quarter of it to each of its
-    /// quarters. With `smooth`, degrees 4 and 5 are tried first.
+    /// By a rule and a finer one on every piece, degrees 5 and 8. Where the two differ too much, degrees 8 and 10 are tried, and
+    /// where these do, pieces are split until degree 10 settles. `share` of the interpolation error is allowed to each piece, and a
+    /// quarter of it to each of its quarters. With `smooth`, degrees 4 and 5 are tried first.
     pub fn adaptively(&self, cubature: &Cubature, share: f64, deepest: u32, smooth: bool) -> [Element; 2] {
         let mut pair = [Element::default(); 2];
         cubature.pieces(self.corners, &mut |piece| {
@@ -41,11 +45,17 @@ impl ElementIntegrand<'_> {
                 return;
             }
             let sixteen = self.over(piece, Rule::Sixteen);
-            if self.is_rough(&seven, &sixteen, share) {
-                self.split(piece, &self.over(piece, Rule::Conical), share, deepest, &mut pair);
-            } else {
+            if !self.is_rough(&seven, &sixteen, share) {
                 pair[0] += seven;
                 pair[1] += sixteen;
+                return;
+            }
+            let conical = self.over(piece, Rule::Conical);
+            if self.rules_agree(&sixteen, &conical, share) {
+                pair[0] += sixteen;
+                pair[1] += conical;
+            } else {
+                self.split(piece, &conical, share, deepest, &mut pair);
             }
         });
         pair
@@ -65,12 +75,25 @@ impl ElementIntegrand<'_> {
         }
     }
 
-    /// The same for a triangle with a curved side, patch by patch; its one rule is rich already.
+    /// The same for a triangle with a curved side, patch by patch, by products of Gauss rules of 4, 6 and 8 points, of which two
+    /// neighbours have to agree; where none do, patches are split. With `deepest = 0` it is 8 points, on the patch and its quarters.
     pub fn adaptively_curved(&self, cubature: &Cubature, share: f64, deepest: u32) -> [CurvedPart; 2] {
         let mut pair = [CurvedPart::default(); 2];
         if let Some(triangle) = &self.curved {
             cubature.patches(triangle, &mut |patch| {
-                self.split_curved(triangle, patch, &self.over_patch(triangle, patch), share, deepest, &mut pair);
+                let over = |rule| self.over_patch(triangle, patch, rule);
+                let rules: &[&[(f64, f64)]] = if deepest == 0 { &[] } else { &[&GAUSS_6, &GAUSS_8] };
+                let mut coarse = over(if deepest == 0 { &GAUSS_8 } else { &GAUSS_4 });
+                for rule in rules {
+                    let fine = over(rule);
+                    if self.rules_agree(&coarse.element, &fine.element, share) {
+                        pair[0] += coarse;
+                        pair[1] += fine;
+                        return;
+                    }
+                    coarse = fine;
+                }
+                self.split_curved(triangle, patch, &coarse, share, deepest, &mut pair);
             });
         }
         pair
@@ -85,7 +108,7 @@ impl ElementIntegrand<'_> {
         deepest: u32,
         pair: &mut [CurvedPart; 2],
     ) {
-        let parts = patch.quarter().map(|q| self.over_patch(triangle, q));
+        let parts = patch.quarter().map(|q| self.over_patch(triangle, q, &GAUSS_8));
         let mut fine = CurvedPart::default();
         parts.iter().for_each(|p| fine += *p);
         if deepest > 0 && self.is_rough(&coarse.element, &fine.element, share) {
@@ -110,10 +133,19 @@ impl ElementIntegrand<'_> {
 
     /// Whether the finer rule still changed the interpolation error or the loads by more than their shares.
     fn is_rough(&self, coarse: &Element, fine: &Element, share: f64) -> bool {
+        !self.is_within(coarse, fine, share, LOAD_ACCURACY)
+    }
+
+    /// Whether two rules on one piece agree in the interpolation error and, closely, in the loads.
+    fn rules_agree(&self, coarse: &Element, fine: &Element, share: f64) -> bool {
+        self.is_within(coarse, fine, share, RULE_LOAD_ACCURACY)
+    }
+
+    fn is_within(&self, coarse: &Element, fine: &Element, share: f64, load_accuracy: f64) -> bool {
         let whole = fine.interpolation.energy + share;
         let change = (coarse.interpolation.energy - fine.interpolation.energy).abs();
-        let load = load_change(coarse, fine);
-        change > ACCURACY * whole || load / self.material().matrix()[0][0] > LOAD_ACCURACY * LOAD_ACCURACY * whole
+        let load = load_change(coarse, fine) / self.material().matrix()[0][0];
+        change <= ACCURACY * whole && load <= load_accuracy * load_accuracy * whole
     }
 }
 

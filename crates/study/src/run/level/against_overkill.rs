@@ -22,10 +22,13 @@ impl Task<'_> {
         let materials = &self.scene.materials;
         let (discrete, solution) = (&solved.discrete, &solved.solution);
         let fine_mesh = reference.hierarchy.finest();
+        // one field on the reference mesh at a time: it may be the largest thing there is
+        let (interpolation, b) = {
+            let u_i = reference.prolong(at, reference.interpolant(at));
+            (reference.error(materials, &u_i), reference.contact_work(&u_i))
+        };
         let v = reference.prolong(at, &solution.displacement);
-        let u_i = reference.prolong(at, reference.interpolant(at));
         let error = reference.error(materials, &v);
-        let interpolation = reference.error(materials, &u_i);
         let fine_state = ContactState::new(fine_mesh, &reference.discrete, &reference.solution);
         let contact = contact::against_reference(mesh, &solved.state, fine_mesh, &fine_state);
         let gap = solution.energy - reference.solution.energy;
@@ -34,7 +37,6 @@ impl Task<'_> {
         // A(e,e) = 2(L(u_h) − L(u_ref)) − 2 (A(u_ref,w) − f(w)),  w = u_h − u_ref
         let by_energies = 2.0 * gap - 2.0 * reference.contact_work(&v);
         level.two_way = relative_difference(error.energy, by_energies, reference.solution.strain_energy);
-        let b = reference.contact_work(&u_i);
         // nested constraint sets leave nothing between the nodes but rounding
         let c = self.scene.initial_gap.as_ref().map_or(0.0, |_| reference.penetration_work(&v));
         let work = |load: &[Vec2], u: &[Vec2]| load.iter().zip(u).map(|(f, u)| f.dot(u)).sum::<f64>();

@@ -9,7 +9,6 @@ use crate::sample;
 use crate::study::Study;
 use signorini_contact::mesh::Locator;
 use signorini_contact::norm::interpolate;
-use signorini_contact::zone::Zone;
 use std::path::Path;
 
 fn arc(name: &str) -> Case {
@@ -22,7 +21,7 @@ fn graph() -> Case {
 }
 
 fn task<'a>(case: &'a Case, cells: &'a [usize]) -> Task<'a> {
-    Task { case, scene: case.scene().unwrap(), cells, settings: case.solver, constrain: Zone::new }
+    Task::new(case, case.scene().unwrap(), cells, case.solver)
 }
 
 /// Every level against both references.
@@ -106,7 +105,8 @@ fn errors_across_a_gap_are_the_exact_ones_up_to_the_reference_s_own() {
 fn a_run_leaves_out_the_levels_that_come_too_near_to_the_reference() {
     let study = Study::parse(include_str!("arc.toml"), Path::new("arc.toml")).unwrap();
     let case = study.cases.iter().find(|c| c.name == "refined").unwrap();
-    let settings = RunSettings { profile: Profile::Quick, levels: None, solver: None, partial: None };
+    let settings =
+        RunSettings { profile: Profile::Quick, levels: None, solver: None, partial: None, keep: Default::default() };
     let record = run_case(&study, case, &settings, &Unwatched).unwrap().record;
     assert!(record.notes.iter().any(|n| n.contains("by point location")), "{:?}", record.notes);
     let excluded: Vec<bool> = record.levels.iter().map(|l| l.excluded.is_some()).collect();

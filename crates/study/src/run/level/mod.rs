@@ -6,6 +6,7 @@ mod against_overkill;
 pub(super) mod bilateral;
 mod defects;
 mod discretise;
+mod external;
 mod inside;
 #[cfg(test)]
 mod located_tests;
@@ -20,7 +21,9 @@ use super::contact::{self, ContactState};
 use super::profile;
 use super::timing::{LevelTimes, Stopwatch};
 use crate::error::RunError;
+use crate::external::External;
 use crate::family::{self, Level as MeshLevel};
+use crate::fields::{self, Keep};
 use crate::record::{Budget, Errors, Kkt, Level, SolverRecord};
 use crate::reference::exact::Pair;
 use crate::reference::overkill::Overkill;
@@ -32,7 +35,7 @@ use signorini_contact::mesh::{Hierarchy, Mesh};
 use signorini_contact::problem::{Discrete, Problem, Solution, Support};
 use signorini_contact::qp;
 use signorini_contact::quadrature::Cubature;
-use signorini_contact::solver::{Accuracy, Method, Prepared, Settings};
+use signorini_contact::solver::{Accuracy, Method, Prepared, QpSolution, Settings};
 use signorini_contact::sum::ordered_sum;
 use signorini_contact::zone::{Zone, side_length};
 use signorini_contact::{Vec2, assembly, norm};
@@ -43,6 +46,14 @@ struct Solved {
     discrete: Discrete,
     solution: Solution,
     state: ContactState,
+}
+
+impl Solved {
+    fn new(problem: &Problem, discrete: Discrete, raw: QpSolution) -> Self {
+        let solution = discrete.recover(problem.mesh, &problem.materials, raw);
+        let state = ContactState::new(problem.mesh, &discrete, &solution);
+        Self { discrete, solution, state }
+    }
 }
 
 /// What is being measured: a case at a list of mesh parameters.
@@ -57,6 +68,17 @@ pub struct Task<'a> {
     pub settings: Settings,
     /// How the contact zone of a mesh is constrained: [`Zone::new`], unless a test plants a defect.
     pub constrain: fn(&Mesh) -> Zone,
+    /// Which levels keep their fields.
+    pub keep: Keep,
+    /// The program that solves the levels in place of this one.
+    pub external: Option<External>,
+}
+
+impl<'a> Task<'a> {
+    /// Levels solved and constrained as the scene has it; no fields are kept.
+    pub fn new(case: &'a Case, scene: &'a Scene, cells: &'a [usize], settings: Settings) -> Self {
+        Self { case, scene, cells, settings, constrain: Zone::new, keep: Keep::default(), external: None }
+    }
 }
 
 impl Task<'_> {
@@ -82,7 +104,7 @@ impl Task<'_> {
         let load = if self.case.projects { fine.projection_load() } else { fine.load.clone() };
         let discrete = self.scene.discretise(&problem, load, (self.constrain)(mesh))?;
         watch.lap(|t| &mut t.assembly);
-        let solved = self.solve(&problem, &meshed.hierarchy, discrete, &mut watch);
+        let solved = self.solve(index, &problem, &meshed.hierarchy, discrete, &mut watch)?;
         let measured = ExactMeasurement {
             task: self,
             mesh,
@@ -131,7 +153,7 @@ impl Task<'_> {
             None => self.discretise(&problem)?,
         };
         watch.lap(|t| &mut t.assembly);
-        let solved = self.solve(&problem, &meshed.hierarchy, discrete, &mut watch);
+        let solved = self.solve(index, &problem, &meshed.hierarchy, discrete, &mut watch)?;
         let mut level = self.level(index, &meshed, &solved);
         match at {
             Some(at) => {
@@ -160,7 +182,7 @@ impl Task<'_> {
         let problem = self.problem(mesh, &supports, &cubature);
         let discrete = self.discretise(&problem)?;
         watch.lap(|t| &mut t.assembly);
-        let solved = self.solve(&problem, &meshed.hierarchy, discrete, &mut watch);
+        let solved = self.solve(index, &problem, &meshed.hierarchy, discrete, &mut watch)?;
         let level = self.level(index, &meshed, &solved);
         watch.lap(|t| &mut t.error);
         Ok((level, watch.finish()))
@@ -201,8 +223,19 @@ impl Task<'_> {
         Ok(self.scene.discretise(problem, load, Zone::new(problem.mesh))?)
     }
 
-    fn solve(&self, problem: &Problem, hierarchy: &Hierarchy, discrete: Discrete, watch: &mut Stopwatch) -> Solved {
-        self.solve_with(&self.settings, problem, hierarchy, discrete, watch)
+    /// Solves a level, or has it solved.
+    fn solve(
+        &self,
+        index: usize,
+        problem: &Problem,
+        hierarchy: &Hierarchy,
+        discrete: Discrete,
+        watch: &mut Stopwatch,
+    ) -> Result<Solved, RunError> {
+        match &self.external {
+            None => Ok(self.solve_with(&self.settings, problem, hierarchy, discrete, watch)),
+            Some(external) => self.have_solved(external, index, problem, discrete, watch),
+        }
     }
 
     fn solve_with(
@@ -223,15 +256,13 @@ impl Task<'_> {
             raw = Prepared::new(&discrete.qp, Method::Condensed).solve(settings);
         }
         watch.lap(|t| &mut t.solve);
-        let solution = discrete.recover(problem.mesh, &problem.materials, raw);
-        let state = ContactState::new(problem.mesh, &discrete, &solution);
-        Solved { discrete, solution, state }
+        Solved::new(problem, discrete, raw)
     }
 
-    fn solver_record(solution: &Solution) -> SolverRecord {
+    fn solver_record(&self, solution: &Solution) -> SolverRecord {
         let raw = &solution.raw;
         SolverRecord {
-            name: raw.method.name().to_owned(),
+            name: self.external.as_ref().map_or_else(|| raw.method.name().to_owned(), |e| e.name.clone()),
             status: raw.status.to_string(),
             solved: raw.status.is_solved(),
             iterations: raw.iterations,
@@ -257,7 +288,10 @@ impl Task<'_> {
         let contact = profile::measure(self.scene, finest, discrete, solution, state, with_profile);
         let mut errors = Errors { penetration_l2: Some(state.penetration()), ..Default::default() };
         profile::compare(&contact, &mut errors);
+        let kept = self.keep.wants(index, self.cells.len(), finest.triangles.len());
+        let fields = kept.then(|| fields::collect(index, self.scene, finest, discrete, solution, state)).flatten();
         Level {
+            fields: fields.map(Box::new),
             level: index,
             cells: self.cells[index],
             h: meshed.quality.h,
@@ -282,7 +316,7 @@ impl Task<'_> {
             inside: Some(is_inside(self.scene, finest)),
             kkt,
             budget: Budget::default(),
-            solver: Self::solver_record(solution),
+            solver: self.solver_record(solution),
             warnings: discrete.warnings.clone(),
             excluded: None,
             contact: Some(contact),

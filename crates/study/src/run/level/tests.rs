@@ -2,12 +2,11 @@
 
 use super::*;
 use crate::sample;
-use signorini_contact::zone::Zone;
 
 const CELLS: [usize; 2] = [4, 8];
 
 fn task(case: &Case) -> Task<'_> {
-    Task { case, scene: case.scene().unwrap(), cells: &CELLS, settings: case.solver, constrain: Zone::new }
+    Task::new(case, case.scene().unwrap(), &CELLS, case.solver)
 }
 
 /// Zero in the nodes of `Γ_u`, anything elsewhere.
@@ -61,17 +60,10 @@ fn errors_against_both_references_differ_by_that_of_the_discrete_one() {
     let case = sample::case("theorem-3-1-smooth", "structured-overkill");
     let exact = case.scene().unwrap().exact.as_ref().unwrap();
     let cells = [4, 32];
-    let task =
-        Task { case: &case, scene: case.scene().unwrap(), cells: &cells, settings: case.solver, constrain: Zone::new };
+    let task = Task::new(&case, case.scene().unwrap(), &cells, case.solver);
     let energy = |index| task.against_exact(exact, index).unwrap().0.errors.energy.unwrap();
     let (coarse, own) = (energy(0), energy(1));
-    let short = Task {
-        case: &case,
-        scene: case.scene().unwrap(),
-        cells: &cells[..1],
-        settings: case.solver,
-        constrain: Zone::new,
-    };
+    let short = Task::new(&case, case.scene().unwrap(), &cells[..1], case.solver);
     let (reference, _) = short.overkill(32).unwrap();
     let (level, _) = short.against_overkill(&reference, Some(0), 0).unwrap();
     let measured = level.errors.energy.unwrap();

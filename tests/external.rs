@@ -1,0 +1,140 @@
+//! Solvers that are other programs, from end to end: a good one is graded like our own, and every other one is found out.
+
+mod common;
+
+use common::{Ended, Folder, LOADED};
+use signorini_study::record::Outcome;
+use std::fs;
+
+/// Projected successive over-relaxation for `min ½xᵀKx − fᵀx, x ≤ upper`, in the one language that every Unix system has. `STEPS` sweeps.
+const RELAXATION: &str = r#"
+FNR == 1 { file++ }
+/^%/ { next }
+FILENAME ~ /K.mtx$/ && size[file]++ == 0 { n = $1; next }
+FILENAME ~ /K.mtx$/ { add($1, $2, $3); if ($1 != $2) add($2, $1, $3); next }
+size[file]++ == 0 { next }
+FILENAME ~ /f.mtx$/ { f[++nf] = $1 }
+FILENAME ~ /upper.mtx$/ { upper[++nu] = $1 == "inf" ? 1e300 : $1 }
+function add(i, j, v) {
+    if (i == j) { diagonal[i] = v; return }
+    count[i]++; column[i, count[i]] = j; value[i, count[i]] = v
+}
+END {
+    for (step = 0; step < STEPS; step++)
+        for (i = 1; i <= n; i++) {
+            rest = f[i]
+            for (k = 1; k <= count[i]; k++) rest -= value[i, k] * x[column[i, k]]
+            x[i] += 1.85 * (rest / diagonal[i] - x[i])
+            if (x[i] > upper[i]) x[i] = upper[i]
+        }
+    print "%%MatrixMarket matrix array real general\n" n " 1" > "x.mtx"
+    for (i = 1; i <= n; i++) printf "%.17g\n", x[i] > "x.mtx"
+}
+"#;
+
+/// A folder with the loaded study and a program.
+fn folder(test: &str, program: &str) -> Folder {
+    let study = LOADED.replace("[4, 8, 16, 32]", "[2, 4]").replace("= 128", "= 8");
+    let folder = Folder::with_study(test, &study);
+    folder.write("solve.awk", program);
+    folder
+}
+
+/// Runs the study with a command.
+fn run(folder: &Folder, out: &str, command: &str) -> Ended {
+    let mut run = folder.command(&format!("run loaded --quiet --out {out} --solver-limit 20 --solver"));
+    Ended::new(run.arg(command).output().expect("the program starts"))
+}
+
+const WITH_AWK: &str = "awk -f solve.awk K.mtx f.mtx upper.mtx";
+
+#[test]
+fn a_solver_of_the_quadratic_problem_is_graded_like_our_own() {
+    let folder = folder("external", &RELAXATION.replace("STEPS", "1000"));
+    run(&folder, "theirs", WITH_AWK);
+    folder.signorini("run loaded --quiet --out ours");
+    let (theirs, ours) = (folder.record("theirs/loaded"), folder.record("ours/loaded"));
+    assert_eq!(theirs.levels.len(), 2);
+    assert_eq!(theirs.verdict.outcome, ours.verdict.outcome, "{:?}", theirs.verdict);
+    for (a, b) in theirs.levels.iter().zip(&ours.levels) {
+        assert_eq!((a.solver.name.as_str(), a.solver.solved), ("solve", true));
+        assert!(a.kkt.stationarity < 1e-12 && a.kkt.penetration < 1e-12, "{:?}", a.kkt);
+        let (e, own) = (a.errors.energy.expect("an error"), b.errors.energy.expect("an error"));
+        assert!((e / own - 1.0).abs() < 1e-9 && (a.energy - b.energy).abs() < 1e-12 * b.energy.abs(), "{e} {own}");
+        assert_eq!(a.active, b.active);
+    }
+    let timings = folder.text("theirs/loaded/timings.json");
+    assert!(timings.contains("\"external\"") && timings.contains("\"processor\""), "{timings}");
+    assert!(!folder.path("theirs/.external").exists(), "the exchange is over");
+}
+
+#[test]
+fn a_solver_that_stops_too_early_is_shown_and_left_out() {
+    let folder = folder("external-early", &RELAXATION.replace("STEPS", "8"));
+    run(&folder, "reports", WITH_AWK).expect(2);
+    let record = folder.record("reports/loaded");
+    assert_eq!(record.verdict.outcome, Outcome::Inconclusive);
+    for level in &record.levels {
+        assert!(level.budget.algebraic.is_some_and(|share| share > 0.05), "{:?}", level.budget);
+        assert!(level.excluded.as_ref().is_some_and(|why| why.contains("algebraic")), "{:?}", level.excluded);
+    }
+}
+
+#[test]
+fn displacements_of_a_wrong_body_are_found_out_by_their_energy() {
+    // nothing moves at all: within all bounds, and far from the minimum
+    let folder = folder(
+        "external-still",
+        "NF == 3 && inside { print ++i \",0,0\" > \"displacement.csv\" }\n/Nodes/ { inside = !inside }",
+    );
+    run(&folder, "reports", "awk -f solve.awk mesh.msh").expect(2);
+    let record = folder.record("reports/loaded");
+    assert!(
+        record.levels.iter().all(|l| l.kkt.stationarity > 1e-3 && l.excluded.is_some()),
+        "{:?}",
+        record.levels[0].kkt
+    );
+}
+
+/// The complaint about an answer that is none, which leaves its files where they can be looked at.
+fn refused(test: &str, program: &str, words: &[&str]) {
+    let folder = folder(test, program);
+    let ended = run(&folder, "reports", "awk -f solve.awk K.mtx f.mtx").complains(2, words);
+    assert!(ended.err.starts_with("error: ") && ended.err.contains("its files are in"), "{}", ended.err);
+    assert!(folder.path("reports/.external/loaded@loaded/level-0/K.mtx").exists());
+}
+
+#[test]
+fn answers_that_are_none_are_refused_by_name() {
+    let print = |text: &str, file: &str| format!("END {{ printf \"{text}\" > \"{file}\" }}");
+    refused("external-none", "END { }", &["solve: it ended well but left no answer", "displacement.csv", "x.mtx"]);
+    refused("external-nan", &print("1,nan,0\\n", "displacement.csv"), &["displacement.csv: node 1 moves by (NaN, 0)"]);
+    refused("external-part", &print("1,0,0\\n", "displacement.csv"), &["it is partial: 17 of 18 nodes are missing"]);
+    refused(
+        "external-size",
+        &print("%%%%MatrixMarket matrix array real general\\n2 1\\n0\\n0\\n", "x.mtx"),
+        &["x.mtx: its size"],
+    );
+    let fails = "BEGIN { print \"the matrix is singular\" | \"cat 1>&2\"; close(\"cat 1>&2\"); exit 7 }";
+    refused("external-fails", fails, &["solve: it ended with exit status 7; it said", "| the matrix is singular"]);
+}
+
+#[test]
+fn an_endless_solver_is_stopped() {
+    let folder = folder("external-endless", "BEGIN { while (1) { } }");
+    let mut run = folder.command("run loaded --levels 1 --solver-limit 0.3 --solver");
+    let ended = Ended::new(run.arg("awk -f solve.awk").output().expect("the program starts"));
+    ended.complains(2, &["it took longer than 0.3 s and was stopped; --solver-limit gives it more"]);
+}
+
+#[test]
+fn commands_that_cannot_run_are_refused_before_anything_else() {
+    let folder = folder("external-words", "");
+    run(&folder, "reports", "multgrid").complains(2, &["there is no program `multgrid`", "did you mean multigrid?"]);
+    run(&folder, "reports", "awk 'open").complains(2, &["open quotation"]);
+    run(&folder, "reports", "").complains(2, &["the command is empty"]);
+    let mut bless = folder.command("bless loaded --solver");
+    let ended = Ended::new(bless.arg("awk -f solve.awk").output().expect("the program starts"));
+    ended.complains(2, &["a baseline is what this program computes"]);
+    assert!(fs::read_dir(folder.path("reports")).is_err(), "nothing was written");
+}
