@@ -118,14 +118,22 @@ pub fn edit(text: &str, old: &str, new: &str) -> String {
     text.replacen(old, new, 1)
 }
 
-/// Every file below a folder with its bytes, by path, but those called `except`.
+/// Every file below a folder with its bytes, by path, but those called `except`; pages without their times.
 pub fn tree(root: &Path, except: &str) -> Vec<(String, Vec<u8>)> {
     let wanted = |path: &String| Path::new(path).file_name().is_some_and(|name| name != except);
     let read = |path: String| {
         let bytes = fs::read(root.join(&path)).expect("a file");
+        let is_page = path.ends_with("index.html");
+        let bytes = if is_page { timeless(&String::from_utf8_lossy(&bytes)).into_bytes() } else { bytes };
         (path, bytes)
     };
     names(root).into_iter().filter(wanted).map(read).collect()
+}
+
+/// A page without the times that stand between its marks.
+pub fn timeless(page: &str) -> String {
+    let parts = page.split("<!--times-->").map(|part| part.split_once("<!--/times-->").map_or(part, |(_, rest)| rest));
+    parts.collect()
 }
 
 /// Every file below a folder, sorted. What vanishes while it is looked at is not there.

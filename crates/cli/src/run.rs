@@ -23,6 +23,7 @@ pub fn run(args: &RunArgs) -> Result<u8, Failure> {
 }
 
 fn run_and_tell(args: &RunArgs) -> Result<u8, Failure> {
+    args.gate.prepare()?;
     let studies = load_changed(&args.studies, &args.change.changes()?)?;
     let (runs, drift) = execute(args, &studies)?;
     args.gate.tell(&studies, &runs, &drift, args.strict)?;
@@ -130,6 +131,7 @@ fn write_case(mut run: CaseRun, args: &RunArgs, progress: &Progress) -> Result<(
     let drift = drift(&mut run)?;
     store::write_record(&args.out, &run.record)?;
     let folder = store::record_folder(&args.out, &run.record)?;
+    args.fields.missing(&run.record).iter().for_each(|words| complain!("{words}"));
     write_fields(&folder, &run.fields)?;
     signorini_report::render_with(&run.record, &run.fields, &folder)?;
     run.is_written();

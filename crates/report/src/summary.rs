@@ -101,10 +101,9 @@ pub(crate) fn latex_table(records: &[StudyRecord]) -> Table {
         ("expected", "expected"),
         ("outcome", "verdict"),
     ];
-    let rows = records.iter().map(|r| Row {
-        cells: [vec![Cell::text(name(r))], figures(r, format::interval)].concat(),
-        excluded: None,
-    });
+    let rows = records
+        .iter()
+        .map(|r| Row { cells: [vec![Cell::text(name(r))], figures(r, format::interval)].concat(), excluded: None });
     Table { rows: rows.collect(), columns: columns.map(|(key, heading)| Column::new(key, heading)).to_vec() }
 }
 
