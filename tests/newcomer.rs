@@ -136,3 +136,15 @@ fn help_teaches() {
         assert!(top.contains(&format!("  {command} ")), "{command}");
     }
 }
+
+#[test]
+fn the_citation_names_this_version_and_the_paper() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../CITATION.cff");
+    let text = std::fs::read_to_string(path).expect("the citation");
+    for line in
+        [concat!("version: ", env!("CARGO_PKG_VERSION")), "cff-version: 1.2.0", "  - type: article", "    year: 1981"]
+    {
+        assert!(text.lines().any(|l| l == line), "no {line:?}");
+    }
+    assert!(text.contains("Contact between elastic bodies — II. Finite element analysis"));
+}

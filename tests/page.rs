@@ -4,7 +4,8 @@ mod common;
 
 use common::{Folder, LOADED, SMOOTH, edit};
 
-const TWO_CASES: &str = "\n[[case]]\nname = \"structured\"\n\n[[case]]\nname = \"union-jack\"\nfamily = { name = \"union-jack\" }\n";
+const TWO_CASES: &str =
+    "\n[[case]]\nname = \"structured\"\n\n[[case]]\nname = \"union-jack\"\nfamily = { name = \"union-jack\" }\n";
 
 /// The part of a page between two marks.
 fn between<'a>(page: &'a str, from: &str, to: &str) -> &'a str {

@@ -90,10 +90,9 @@ fn text_table(records: &[StudyRecord]) -> Table {
     Table { rows: rows.collect(), columns: columns.map(|heading| Column::new(heading, heading)).to_vec() }
 }
 
-/// The same for papers: claim and case in words, no links.
+/// The same for papers: no links, and no claims, by which most studies are named, since a page is narrow.
 pub(crate) fn latex_table(records: &[StudyRecord]) -> Table {
     let columns = [
-        ("claim", "claim"),
         ("name", "study · case"),
         ("norm", "norm"),
         ("observed", "observed rate [95 %]"),
@@ -102,10 +101,9 @@ pub(crate) fn latex_table(records: &[StudyRecord]) -> Table {
         ("expected", "expected"),
         ("outcome", "verdict"),
     ];
-    let rows = records.iter().map(|r| Row {
-        cells: [vec![Cell::text(&r.claim), Cell::text(name(r))], figures(r, format::interval)].concat(),
-        excluded: None,
-    });
+    let rows = records
+        .iter()
+        .map(|r| Row { cells: [vec![Cell::text(name(r))], figures(r, format::interval)].concat(), excluded: None });
     Table { rows: rows.collect(), columns: columns.map(|(key, heading)| Column::new(key, heading)).to_vec() }
 }
 

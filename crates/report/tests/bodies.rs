@@ -94,7 +94,9 @@ fn the_set_up_names_bodies_parts_and_zone_and_draws_every_side_once() {
     // each body is one polygon, and its triangles where the boundary does not close
     assert_eq!(chart.areas.iter().map(|a| a.outline.len()).collect::<Vec<_>>(), [16, 16]);
     let mut open = fields.clone();
-    (open.sides.pop(), open.side_triangles.pop(), open.side_parts.pop());
+    open.sides.pop();
+    open.side_triangles.pop();
+    open.side_parts.pop();
     assert_eq!(plot::mesh(&common::healthy(), &open).areas.len(), 1 + 32);
     assert!(chart.subtitle[1].starts_with("level 2: 64 triangles, 50 nodes, h = "), "{:?}", chart.subtitle);
 }
