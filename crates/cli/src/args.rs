@@ -150,7 +150,7 @@ pub struct RunArgs {
     #[arg(long, value_enum, default_value_t = ProfileArg::Quick, help_heading = "Sizes")]
     pub profile: ProfileArg,
     /// Take N levels, counted from the coarsest, instead of the profile's own number.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..), help_heading = "Sizes")]
+    #[arg(long, value_name = "N", value_parser = whole::<u16>, help_heading = "Sizes")]
     pub levels: Option<u16>,
     /// Where records, tables and plots go.
     #[arg(long, value_name = "DIR", default_value = "reports", help_heading = "Output")]
@@ -159,7 +159,7 @@ pub struct RunArgs {
     #[command(flatten)]
     pub solver: SolverArgs,
     /// Threads; all processors by default. Results do not depend on it.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..), help_heading = "Machine")]
+    #[arg(long, value_name = "N", value_parser = whole::<u16>, help_heading = "Machine")]
     pub threads: Option<u16>,
     /// Let drift from the baselines in reference/ fail the run, and show it as a table.
     #[arg(long, help_heading = "Gate")]
@@ -226,20 +226,20 @@ pub struct BenchArgs {
     #[arg(long, value_name = "B", value_parser = count)]
     pub max_dofs: Option<usize>,
     /// Take N levels only, counted from the coarsest within the sizes.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    #[arg(long, value_name = "N", value_parser = whole::<u16>)]
     pub levels: Option<u16>,
     /// Solvers, separated by commas; all by default. Each is left out where it has no hope: interior-point above 20 000
     /// unknowns, condensed above 1 500 000.
     #[arg(long, value_enum, value_name = "NAME,…", value_delimiter = ',')]
     pub solvers: Vec<SolverArg>,
     /// Measure everything R times, in rounds; medians are reported.
-    #[arg(long, value_name = "R", default_value_t = 3, value_parser = clap::value_parser!(u16).range(1..))]
+    #[arg(long, value_name = "R", default_value_t = 3, value_parser = whole::<u16>)]
     pub repeat: u16,
     /// Where bench.json, bench.csv, bench.md, work-precision.png and scaling.png go.
     #[arg(long, value_name = "DIR", default_value = "reports/bench")]
     pub out: PathBuf,
     /// Threads of each measurement; all processors by default.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    #[arg(long, value_name = "N", value_parser = whole::<u16>)]
     pub threads: Option<u16>,
     /// Print nothing but errors and the tables.
     #[arg(long)]
@@ -271,6 +271,13 @@ fn dofs_range(text: &str) -> Result<DofsRange, String> {
     Ok(range)
 }
 
+/// A whole number from 1 on.
+fn whole<T: TryFrom<u64>>(text: &str) -> Result<T, String> {
+    let number = text.parse::<u64>().ok().filter(|n| *n > 0).and_then(|n| T::try_from(n).ok());
+    let most = (1_u64 << (8 * size_of::<T>())) - 1;
+    number.ok_or_else(|| format!("`{text}` is no whole number from 1 to {most}"))
+}
+
 /// A number of unknowns: `100000`, `1e5`.
 fn count(text: &str) -> Result<usize, String> {
     match text.parse::<f64>() {
@@ -287,7 +294,7 @@ pub struct FalsifyArgs {
     #[arg(value_name = "CLAIM")]
     pub claim: String,
     /// Scenes to draw for each claim.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    #[arg(long, value_name = "N", value_parser = whole::<u32>)]
     pub budget: u32,
     /// Seed of the draws.
     #[arg(long, value_name = "S", default_value_t = 1)]
@@ -296,7 +303,7 @@ pub struct FalsifyArgs {
     #[arg(long, value_name = "DIR", default_value = "reports")]
     pub out: PathBuf,
     /// Threads; all processors by default. Results do not depend on it.
-    #[arg(long, value_name = "T", value_parser = clap::value_parser!(u16).range(1..))]
+    #[arg(long, value_name = "T", value_parser = whole::<u16>)]
     pub threads: Option<u16>,
     /// Print nothing but errors and the tables.
     #[arg(long)]
@@ -307,7 +314,7 @@ pub struct FalsifyArgs {
 #[derive(Args, Debug, Clone)]
 pub struct CoverageArgs {
     /// Series to draw for each row of the table.
-    #[arg(long, value_name = "N", default_value_t = 10_000, value_parser = clap::value_parser!(u32).range(1..))]
+    #[arg(long, value_name = "N", default_value_t = 10_000, value_parser = whole::<u32>)]
     pub draws: u32,
     /// Seed of the draws.
     #[arg(long, value_name = "S", default_value_t = 1)]

@@ -55,10 +55,11 @@ impl Failure {
         if error.is_interruption() {
             return Self::bare("interrupted").with_status(interrupt::STATUS);
         }
-        let what = format!("{}: {error}", study.source.display());
         if error.is_of_files() {
-            return Self::new(what, OTHER_FOLDER);
+            // the study is not to blame, so it is not named
+            return Self::new(error.to_string(), OTHER_FOLDER);
         }
+        let what = format!("{}: {error}", study.source.display());
         if error.is_of_external() {
             return Self::new(what, MEND_SOLVER);
         }

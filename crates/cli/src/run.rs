@@ -23,6 +23,7 @@ pub fn run(args: &RunArgs) -> Result<u8, Failure> {
 }
 
 fn run_and_tell(args: &RunArgs) -> Result<u8, Failure> {
+    args.gate.prepare()?;
     let studies = load_changed(&args.studies, &args.change.changes()?)?;
     let (runs, drift) = execute(args, &studies)?;
     args.gate.tell(&studies, &runs, &drift, args.strict)?;

@@ -18,6 +18,8 @@ mod profile;
 mod reference;
 mod refusal;
 mod refused;
+mod schedule;
+mod settings;
 mod slide;
 mod step;
 #[cfg(test)]
@@ -31,9 +33,8 @@ mod zone_ledger;
 
 use crate::error::RunError;
 use crate::exact::verify;
-use crate::external::External;
 use crate::extrapolation;
-use crate::fields::{Fields, Keep};
+use crate::fields::Fields;
 use crate::lemma::Lemma;
 use crate::rate;
 use crate::record::{Level, Reference, SCHEMA, StudyRecord, ZoneProfile};
@@ -49,54 +50,13 @@ use partial::Partial;
 pub use partial::tidy;
 use rayon::prelude::*;
 pub use refusal::check_refusal;
+pub use schedule::each_case;
+pub use settings::{Profile, RunSettings, Solver};
+use settings::{cells_of, profile_name, reference_cells, solver_settings};
 pub use signorini_contact::solver::Method;
-use signorini_contact::solver::Settings;
-use std::cmp::Reverse;
-use std::path::PathBuf;
-use std::sync::OnceLock;
 pub use step::{Step, work};
 use step::{Steps, stepped};
 use timing::{LevelTimes, Stopwatch};
-
-/// How large the meshes are.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Profile {
-    /// All studies together in well under a minute.
-    Quick,
-    /// The published tables.
-    Full,
-}
-
-/// What the command line asks of a run.
-#[derive(Clone, Debug)]
-pub struct RunSettings {
-    /// The sizes.
-    pub profile: Profile,
-    /// This many levels from the coarsest, instead of the profile's own number.
-    pub levels: Option<usize>,
-    /// A solver in place of the study's own, with the study's other settings.
-    pub solver: Option<Solver>,
-    /// Where unfinished cases keep their finished levels; nothing is kept without it.
-    pub partial: Option<PathBuf>,
-    /// Which levels keep their fields.
-    pub keep: Keep,
-}
-
-/// Who solves the levels. References are always solved here.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Solver {
-    /// A method of this program.
-    Own(Method),
-    /// Another program.
-    External(External),
-}
-
-impl Solver {
-    /// The method, if it is one of this program.
-    pub fn own(&self) -> Option<Method> {
-        if let Self::Own(method) = self { Some(*method) } else { None }
-    }
-}
 
 /// Who is told how far a run has come, and may stop it.
 pub trait Watch: Sync {
@@ -135,46 +95,6 @@ impl CaseRun {
     pub fn is_written(&self) {
         self.kept.discard();
     }
-}
-
-/// Cases with a mesh larger than this, in cells per unit, run one at a time: two of them would not fit in memory.
-const LARGE: usize = 512;
-
-/// Calls `one` for every case of the studies, cases with large meshes one after the other and everything else side by
-/// side. Results come study by study, in the order of the files.
-pub fn each_case<T: Send + Sync>(
-    studies: &[Study],
-    settings: &RunSettings,
-    one: impl Fn(&Study, &Case) -> T + Sync,
-) -> Vec<Vec<T>> {
-    let all: Vec<(&Study, &Case)> = studies.iter().flat_map(|s| s.cases.iter().map(move |c| (s, c))).collect();
-    let is_large = |case: &Case| {
-        cells_of(case, settings).iter().copied().chain(reference_cells(case, settings)).any(|n| n > LARGE)
-    };
-    let done: Vec<OnceLock<T>> = all.iter().map(|_| OnceLock::new()).collect();
-    let run = |k: usize| {
-        let (study, case) = all[k];
-        // each number is run once, so the place is free
-        let _ = done[k].set(one(study, case));
-    };
-    let (large, mut rest): (Vec<usize>, Vec<usize>) = (0..all.len()).partition(|&k| is_large(all[k].1));
-    large.into_iter().for_each(&run);
-    // the longest first, so that no thread is left with a long one at the end
-    rest.sort_by_key(|&k| Reverse(area(all[k].1, settings)));
-    rayon::scope_fifo(|scope| {
-        rest.iter().for_each(|&k| {
-            let run = &run;
-            scope.spawn_fifo(move |_| run(k))
-        })
-    });
-    let results: Vec<T> = done.into_iter().filter_map(OnceLock::into_inner).collect();
-    let mut results = results.into_iter();
-    studies.iter().map(|s| results.by_ref().take(s.cases.len()).collect()).collect()
-}
-
-/// How much there is to do, roughly: the cells of all meshes, up to a factor.
-fn area(case: &Case, settings: &RunSettings) -> usize {
-    cells_of(case, settings).iter().copied().chain(reference_cells(case, settings)).map(|n| n * n).sum()
 }
 
 /// Runs one case.
@@ -264,17 +184,6 @@ fn run_contact(
     Ok(CaseRun { record, times, reference_times: overkill.map(|(_, t)| t), fields, kept: partial })
 }
 
-/// The mesh parameters of a case under these settings, coarsest first.
-fn cells_of<'a>(case: &'a Case, settings: &RunSettings) -> &'a [usize] {
-    let all = if settings.profile == Profile::Quick { &case.quick } else { &case.full };
-    &all[..settings.levels.unwrap_or(all.len()).min(all.len())]
-}
-
-/// The study's solver settings, with the run's method if it names one.
-fn solver_settings(case: &Case, settings: &RunSettings) -> Settings {
-    Settings { method: settings.solver.as_ref().and_then(Solver::own).unwrap_or(case.solver.method), ..case.solver }
-}
-
 /// Pointwise verification of the exact solution, before any mesh. A solution built for other materials is a planted
 /// defect and is verified in its own.
 fn verify_exact(case: &Case, scene: &Scene) -> Result<(), RunError> {
@@ -301,14 +210,6 @@ fn solve_reference(
 ) -> Result<Option<(Overkill, LevelTimes)>, RunError> {
     let Some(cells) = reference_cells(task.case, settings) else { return Ok(None) };
     stepped(watch, &steps.reference(cells), || task.overkill(cells)).map(Some)
-}
-
-/// The mesh parameter of a case's overkill reference.
-fn reference_cells(case: &Case, settings: &RunSettings) -> Option<usize> {
-    match case.reference {
-        ReferencePlan::Overkill { quick, full } => Some(if settings.profile == Profile::Quick { quick } else { full }),
-        _ => None,
-    }
 }
 
 fn measure_level(task: &Task, overkill: Option<&Overkill>, index: usize) -> Result<(Level, LevelTimes), RunError> {
@@ -396,12 +297,4 @@ fn notes(case: &Case, levels: &[Level]) -> Vec<String> {
     let mut notes: Vec<String> = case.notes.iter().cloned().chain(warnings).collect();
     notes.dedup();
     notes
-}
-
-fn profile_name(settings: &RunSettings) -> &'static str {
-    match (settings.levels, settings.profile) {
-        (Some(_), _) => "custom",
-        (None, Profile::Quick) => "quick",
-        (None, Profile::Full) => "full",
-    }
 }
