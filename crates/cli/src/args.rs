@@ -3,7 +3,7 @@
 use crate::change::ChangeArgs;
 use crate::fields::FieldsArg;
 use crate::gate::GateArgs;
-use crate::solver::SolverArgs;
+use crate::solver::{ExternalArgs, SolverArgs};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
@@ -147,6 +147,9 @@ pub struct BenchArgs {
     /// unknowns, condensed above 1 500 000.
     #[arg(long, value_enum, value_name = "NAME,…", value_delimiter = ',')]
     pub solvers: Vec<SolverArg>,
+    /// Programs beside them.
+    #[command(flatten)]
+    pub external: ExternalArgs,
     /// Measure everything R times, in rounds; medians are reported.
     #[arg(long, value_name = "R", default_value_t = 3, value_parser = clap::value_parser!(u16).range(1..))]
     pub repeat: u16,

@@ -19,6 +19,7 @@ mod reference;
 mod refusal;
 mod refused;
 mod slide;
+mod solver;
 #[cfg(test)]
 mod tests;
 #[cfg(test)]
@@ -30,7 +31,6 @@ mod zone_ledger;
 
 use crate::error::RunError;
 use crate::exact::verify;
-use crate::external::External;
 use crate::extrapolation;
 use crate::fields::{Fields, Keep};
 use crate::lemma::Lemma;
@@ -50,6 +50,7 @@ use rayon::prelude::*;
 pub use refusal::check_refusal;
 pub use signorini_contact::solver::Method;
 use signorini_contact::solver::Settings;
+pub use solver::Solver;
 use std::cmp::Reverse;
 use std::path::PathBuf;
 use std::sync::OnceLock;
@@ -77,22 +78,6 @@ pub struct RunSettings {
     pub partial: Option<PathBuf>,
     /// Which levels keep their fields.
     pub keep: Keep,
-}
-
-/// Who solves the levels. References are always solved here.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Solver {
-    /// A method of this program.
-    Own(Method),
-    /// Another program.
-    External(External),
-}
-
-impl Solver {
-    /// The method, if it is one of this program.
-    pub fn own(&self) -> Option<Method> {
-        if let Self::Own(method) = self { Some(*method) } else { None }
-    }
 }
 
 /// Who is told how far a run has come.
