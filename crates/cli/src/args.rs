@@ -6,7 +6,7 @@ use crate::gate::GateArgs;
 use crate::help;
 use crate::new::NewArgs;
 use crate::schema::Of;
-use crate::solver::SolverArgs;
+use crate::solver::{ExternalArgs, SolverArgs};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use std::path::PathBuf;
@@ -232,6 +232,9 @@ pub struct BenchArgs {
     /// unknowns, condensed above 1 500 000.
     #[arg(long, value_enum, value_name = "NAME,…", value_delimiter = ',')]
     pub solvers: Vec<SolverArg>,
+    /// Programs beside them.
+    #[command(flatten)]
+    pub external: ExternalArgs,
     /// Measure everything R times, in rounds; medians are reported.
     #[arg(long, value_name = "R", default_value_t = 3, value_parser = whole::<u16>)]
     pub repeat: u16,

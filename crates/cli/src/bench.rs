@@ -9,10 +9,12 @@ use crate::change::load_changed;
 use crate::failure::Failure;
 use crate::progress::Count;
 use crate::run::{method, use_threads};
+use crate::solver::EXCHANGE;
 use clap::ValueEnum;
 use signorini_study::bench::{BenchRecord, Job, Outcome, Plan, Sizes, Subject, carry_out, measure};
 use signorini_study::change::Changes;
 use signorini_study::record::to_json;
+use signorini_study::run::Solver;
 use signorini_study::study::Study;
 use signorini_study::verdict;
 use std::io::{Read, Write};
@@ -44,6 +46,8 @@ pub fn bench(args: &BenchArgs) -> Result<u8, Failure> {
         )
     };
     progress.finish();
+    // empty unless something failed, whose files stay
+    let _ = std::fs::remove_dir(args.out.join(EXCHANGE));
     let record = record
         .map_err(|e| Failure::new(e.to_string(), "`signorini bench --help` shows how sizes and cases are chosen"))?;
     report(&record, args)
@@ -82,6 +86,8 @@ fn plan(args: &BenchArgs) -> Result<Plan, Failure> {
             solvers.push(solver);
         }
     }
+    let mut solvers: Vec<Solver> = solvers.into_iter().map(Solver::Own).collect();
+    solvers.extend(args.external.solvers(&args.out)?);
     let sizes = Sizes {
         least: args.dofs.least,
         most: args.max_dofs.unwrap_or(args.dofs.most),
@@ -146,11 +152,14 @@ fn in_its_own_process(program: &PathBuf, job: &Job, threads: usize) -> Result<Ou
     serde_json::from_slice(&output.stdout).map_err(|e| format!("an outcome that cannot be read: {e}"))
 }
 
-/// What the process said, or how it ended: without a word where the system killed it, as it does when memory runs out.
+/// What the process said, with the last words of a program that failed it; or how it ended: without a word where the system killed it, as it does when memory runs out.
 fn reason(output: &Output) -> String {
     let said = String::from_utf8_lossy(&output.stderr);
     match said.lines().find_map(|l| l.strip_prefix("error: ")) {
-        Some(error) => error.to_owned(),
+        Some(error) => {
+            let last = said.lines().filter_map(|l| l.strip_prefix("  | ")).next_back();
+            last.map_or_else(|| error.to_owned(), |l| format!("{error}: {}", l.trim()))
+        }
         None => format!("ended by the system ({}); if memory ran out, choose smaller sizes", output.status),
     }
 }

@@ -43,10 +43,48 @@ impl SolverArgs {
             return Ok(Some(Solver::Own(method(own))));
         }
         let limits = Limits { seconds: self.solver_limit, ..Limits::default() };
-        let external = External::parse(text, out.join(".external"), limits)
+        let external = External::parse(text, out.join(EXCHANGE), limits)
             .map_err(|e| Failure::new(format!("--solver: {e}"), hint(text)))?;
         Ok(Some(Solver::External(External { keeps: self.keep_exchange, ..external })))
     }
+}
+
+/// Other programs that `bench` times beside our own solvers.
+#[derive(Args, Debug, Clone)]
+pub struct ExternalArgs {
+    /// Time another program as well: a command as for `run --solver`, e.g. 'python3 solve.py'. Can be repeated.
+    ///
+    /// Its process, from start to end, is its solve; writing the level down for it and reading its answer count nowhere.
+    #[arg(long = "external", value_name = "COMMAND")]
+    pub commands: Vec<String>,
+    /// Seconds that such a program may take for one level; what takes longer, or fails, is left out with the reason, finer levels with it.
+    #[arg(long, value_name = "SECONDS", default_value_t = Limits::default().seconds, value_parser = seconds)]
+    pub solver_limit: f64,
+}
+
+impl ExternalArgs {
+    /// The programs, each with a name of its own; files are exchanged below `out`.
+    pub fn solvers(&self, out: &Path) -> Result<Vec<Solver>, Failure> {
+        let mut found: Vec<External> = Vec::new();
+        for text in &self.commands {
+            let limits = Limits { seconds: self.solver_limit, ..Limits::default() };
+            let external = External::parse(text, out.join(EXCHANGE), limits)
+                .map_err(|e| Failure::new(format!("--external: {e}"), "give a command in quotation marks, as in --external 'python3 solve.py'; our own solvers are for --solvers"))?;
+            let name = distinct(&external.name, &found);
+            found.push(External { folder: external.folder.join(&name), name, ..external });
+        }
+        Ok(found.into_iter().map(Solver::External).collect())
+    }
+}
+
+/// The folder of `--out` in which files are exchanged.
+pub const EXCHANGE: &str = ".external";
+
+/// The name, with a number behind it if one of the programs, or a solver of ours, has it already.
+fn distinct(name: &str, others: &[External]) -> String {
+    let is_taken = |n: &str| SolverArg::from_str(n, false).is_ok() || others.iter().any(|o| o.name == n);
+    let numbered = (2..).map(|k| format!("{name}-{k}"));
+    std::iter::once(name.to_owned()).chain(numbered).find(|n| !is_taken(n)).unwrap_or_default()
 }
 
 /// What a mistyped solver may have meant.

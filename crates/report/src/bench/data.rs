@@ -83,8 +83,8 @@ fn row(study: &BenchStudy, curve: &SolverCurve, run: &Measured, swept: &[String]
     let mut cells = mesh_cells(study, curve, run.level);
     cells.extend([
         Cell::text(&run.status),
-        Cell::Count(run.iterations),
-        Cell::Count(run.factorizations),
+        Cell::count(told(curve, run.iterations)),
+        Cell::count(told(curve, run.factorizations)),
         Cell::number(run.work),
         Cell::number(run.error),
         Cell::number(run.relative_error),
@@ -97,7 +97,7 @@ fn row(study: &BenchStudy, curve: &SolverCurve, run: &Measured, swept: &[String]
     let linear = run.linear.as_ref();
     let size = &study.sizes[run.level];
     cells.extend([
-        Cell::text(&curve.linear_solver),
+        curve.linear_solver.as_ref().map_or(Cell::Missing, Cell::text),
         Cell::count(linear.map(|l| l.iterations)),
         Cell::number(linear.and_then(|l| l.work)),
         Cell::number(linear.map(|l| l.wall.median)),
@@ -110,6 +110,11 @@ fn row(study: &BenchStudy, curve: &SolverCurve, run: &Measured, swept: &[String]
     ]);
     cells.extend(swept_cells(study, swept));
     Row { cells, excluded: None }
+}
+
+/// A count that another program does not tell.
+pub(super) fn told(curve: &SolverCurve, count: usize) -> Option<usize> {
+    curve.linear_solver.is_some().then_some(count)
 }
 
 /// Study, solver and mesh.

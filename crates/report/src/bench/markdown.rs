@@ -1,5 +1,6 @@
 //! The page and what the terminal shows.
 
+use super::data::told;
 use super::picture_names;
 use super::sweep::{Group, groups};
 use super::words::{error_source, machine, median, name, number, plain_exponent, rounds, scaled, spread, threads};
@@ -47,7 +48,8 @@ fn study_text(study: &BenchStudy) -> String {
 const METHOD: &str = "Every measurement is a process of its own; a round visits all of them once, forwards and backwards in turn. \
 Numbers are medians, in brackets the smallest and the largest. *Solve* is set-up and solve together; *linear* is the same with every pair \
 tied (`n·d = g`), so that nothing has to be decided, under the solver named; *ratio* is the contact problem over the linear one, in wall and in processor seconds. *Work* counts products with \
-the finest matrix. *Peak* is the largest resident memory of the process, the program itself included.";
+the finest matrix. Of another program *solve* is its process from start to end, with what it reads and assembles; \
+writing the level down for it and reading its answer are in none of the times. *Peak* is the largest resident memory of the process, the program itself included.";
 
 const FLOORS: &str =
     "A matrix that fits in the caches is read faster than the memory allows; from there on the triad is the limit.";
@@ -119,7 +121,7 @@ fn runs(study: &BenchStudy) -> Table {
             Cell::text(&curve.solver),
             Cell::Count(study.sizes[run.level].dofs),
             Cell::figure(number(run.relative_error.map(|e| 100.0 * e))),
-            Cell::Count(run.iterations),
+            Cell::count(told(curve, run.iterations)),
             Cell::figure(number(run.work)),
             Cell::figure(spread(Some(run.wall.system))),
             Cell::figure(median(linear.map(|l| l.wall))),

@@ -63,9 +63,20 @@ fn look(solver: &str) -> (Colour, Shape) {
     }
 }
 
+/// Colours and shapes of other programs, in their order.
+const OTHERS: [(Colour, Shape); 5] = [
+    (Colour::Green, Shape::Triangle),
+    (Colour::Orange, Shape::Diamond),
+    (Colour::Purple, Shape::Square),
+    (Colour::Black, Shape::Circle),
+    (Colour::Grey, Shape::Triangle),
+];
+
 fn solvers(study: &BenchStudy, point: &dyn Fn(&Measured) -> Option<(f64, f64)>) -> Vec<Series> {
     let series = |(rank, curve): (usize, &SolverCurve)| {
-        let (colour, shape) = look(&curve.solver);
+        let others = study.solvers[..rank].iter().filter(|c| c.linear_solver.is_none()).count();
+        let is_other = curve.linear_solver.is_none();
+        let (colour, shape) = if is_other { OTHERS[others % OTHERS.len()] } else { look(&curve.solver) };
         let points = curve.runs.iter().filter_map(point).collect();
         Series { label: curve.solver.clone(), colour, style: Style::Marks(shape, rank.min(3) as u8), points }
     };
@@ -74,13 +85,13 @@ fn solvers(study: &BenchStudy, point: &dyn Fn(&Measured) -> Option<(f64, f64)>) 
 
 /// The linear problem, once for each solver that it was solved with.
 fn linear(study: &BenchStudy) -> Vec<Series> {
-    let mut names: Vec<&str> = study.solvers.iter().map(|c| c.linear_solver.as_str()).collect();
+    let mut names: Vec<&str> = study.solvers.iter().filter_map(|c| c.linear_solver.as_deref()).collect();
     names.sort_unstable();
     names.dedup();
     let dofs = |run: &Measured| study.sizes[run.level].dofs as f64;
     let of = |run: &Measured| Some((dofs(run), 1e6 * run.linear?.wall.median / dofs(run)));
     let series = |name: &&str| {
-        let sharing = study.solvers.iter().filter(|c| c.linear_solver == *name);
+        let sharing = study.solvers.iter().filter(|c| c.linear_solver.as_deref() == Some(*name));
         let longest = sharing.max_by_key(|c| c.runs.len()).map(|c| c.runs.iter().filter_map(of).collect());
         floor(&format!("floor: all pairs tied, {name}"), look(name).0, longest.unwrap_or_default())
     };

@@ -53,7 +53,7 @@ fn curve(solver: &str, sizes: &[Size], factor: f64, left_out: Vec<LeftOut>) -> S
     let measured = sizes.iter().filter(|s| left_out.iter().all(|l| l.level != s.level));
     SolverCurve {
         solver: solver.into(),
-        linear_solver: "condensed".into(),
+        linear_solver: Some("condensed".into()),
         runs: measured.map(|s| run(s.level, s.dofs, factor)).collect(),
         left_out,
         growth_total: Some(Exponent { value: 1.07, stderr: 0.02, sizes: 4 }),

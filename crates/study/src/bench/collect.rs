@@ -8,7 +8,7 @@ use super::record::{BenchStudy, ErrorSource, LeftOut, Linear, Measured, Seconds,
 use super::spread::Spread;
 use crate::extrapolation;
 use crate::record::Level;
-use crate::run::Method;
+use crate::run::Solver;
 use crate::study::ReferencePlan;
 
 /// Largest share of an error that the uncertainty of the extrapolated energy may make.
@@ -49,10 +49,10 @@ struct Limit {
     uncertainty: f64,
 }
 
-pub(super) fn study_record(subject: &Subject, sizes: &[PlannedSize], solvers: &[Method], all: &Sorted) -> BenchStudy {
+pub(super) fn study_record(subject: &Subject, sizes: &[PlannedSize], solvers: &[Solver], all: &Sorted) -> BenchStudy {
     let exact = subject.case().reference == ReferencePlan::Exact;
     let limit = if exact { None } else { limit(subject, sizes, solvers, all) };
-    let mut curves: Vec<SolverCurve> = solvers.iter().map(|s| curve(subject, sizes, *s, all, limit.as_ref())).collect();
+    let mut curves: Vec<SolverCurve> = solvers.iter().map(|s| curve(subject, sizes, s, all, limit.as_ref())).collect();
     let errors = curves.iter().flat_map(|c| &c.runs).filter_map(|r| r.relative_error);
     let targets = targets(errors);
     curves.iter_mut().for_each(|c| c.seconds_to_target = to_targets(c, &targets));
@@ -74,18 +74,18 @@ pub(super) fn study_record(subject: &Subject, sizes: &[PlannedSize], solvers: &[
 }
 
 /// The first solved level of a size, under any of the solvers.
-fn any_level<'a>(subject: &Subject, size: &PlannedSize, solvers: &[Method], all: &Sorted<'a>) -> Option<&'a Level> {
-    let mut found = solvers.iter().filter_map(|s| all.find(subject, size, &Task::Contact(s.name().into())));
+fn any_level<'a>(subject: &Subject, size: &PlannedSize, solvers: &[Solver], all: &Sorted<'a>) -> Option<&'a Level> {
+    let mut found = solvers.iter().filter_map(|s| all.find(subject, size, &Task::Contact(s.clone())));
     found.find_map(|r| r.levels().first().map(|l| &l.level).filter(|l| l.solver.solved))
 }
 
-fn limit(subject: &Subject, sizes: &[PlannedSize], solvers: &[Method], all: &Sorted) -> Option<Limit> {
+fn limit(subject: &Subject, sizes: &[PlannedSize], solvers: &[Solver], all: &Sorted) -> Option<Limit> {
     let levels: Vec<Level> = sizes.iter().filter_map(|s| any_level(subject, s, solvers, all).cloned()).collect();
     let found = extrapolation::of(&levels)?;
     Some(Limit { energy: found.energy, uncertainty: found.uncertainty })
 }
 
-fn size(subject: &Subject, level: usize, size: &PlannedSize, solvers: &[Method], all: &Sorted) -> Size {
+fn size(subject: &Subject, level: usize, size: &PlannedSize, solvers: &[Solver], all: &Sorted) -> Size {
     let solved = any_level(subject, size, solvers, all);
     let products = all.find(subject, size, &Task::Product).map(Repeated::products).unwrap_or_default();
     Size {
@@ -98,14 +98,21 @@ fn size(subject: &Subject, level: usize, size: &PlannedSize, solvers: &[Method],
     }
 }
 
-fn curve(subject: &Subject, sizes: &[PlannedSize], solver: Method, all: &Sorted, limit: Option<&Limit>) -> SolverCurve {
+fn curve(
+    subject: &Subject,
+    sizes: &[PlannedSize],
+    solver: &Solver,
+    all: &Sorted,
+    limit: Option<&Limit>,
+) -> SolverCurve {
     let (mut runs, mut left_out, mut dofs) = (Vec::new(), Vec::new(), Vec::new());
+    let linear_solver = linear_solver(solver);
     for (level, size) in sizes.iter().enumerate() {
-        let Some(repeated) = all.find(subject, size, &Task::Contact(solver.name().into())) else {
+        let Some(repeated) = all.find(subject, size, &Task::Contact(solver.clone())) else {
             left_out.push(LeftOut::by_limit(level, most_unknowns(solver)));
             continue;
         };
-        let linear = all.find(subject, size, &Task::Linear(linear_solver(solver).name().into()));
+        let linear = linear_solver.clone().and_then(|l| all.find(subject, size, &Task::Linear(l)));
         match (repeated.fault(), measured(level, &repeated.levels(), limit)) {
             (None, Some(run)) => {
                 dofs.push(repeated.levels()[0].level.dofs);
@@ -119,7 +126,7 @@ fn curve(subject: &Subject, sizes: &[PlannedSize], solver: Method, all: &Sorted,
     };
     SolverCurve {
         solver: solver.name().to_owned(),
-        linear_solver: linear_solver(solver).name().to_owned(),
+        linear_solver: linear_solver.map(|l| l.name().to_owned()),
         growth_total: growth(&grown(|s| s.total)),
         growth_system: growth(&grown(|s| s.system)),
         seconds_to_target: Vec::new(),

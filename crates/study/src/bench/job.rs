@@ -5,8 +5,8 @@ use crate::change::Changes;
 use crate::error::RunError;
 use crate::record::Level;
 use crate::run::timing::LevelTimes;
-use crate::run::{Alone, Constraints, Method};
-use crate::study::Study;
+use crate::run::{Alone, Constraints, Solver};
+use crate::study::{Case, Study};
 use serde::{Deserialize, Serialize};
 use signorini_contact::sparse::BlockMatrix;
 use std::hint::black_box;
@@ -37,13 +37,13 @@ impl Job {
 }
 
 /// The sorts of measurement.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Task {
-    /// The contact problem under the solver of that name.
-    Contact(String),
+    /// The contact problem under that solver.
+    Contact(Solver),
     /// The linear problem with every pair tied.
-    Linear(String),
+    Linear(Solver),
     /// Products with the stiffness matrix.
     Product,
     /// The triad; study, case and cells say nothing.
@@ -108,8 +108,8 @@ fn on_level(job: &Job, study: &Study) -> Result<Outcome, RunError> {
     let case = study.cases.iter().find(|c| c.name == job.case).ok_or_else(missing)?;
     let scene = case.scene().ok_or_else(missing)?;
     let alone = Alone { case, scene, cells: &job.cells };
-    let level = |solver: &str, constraints| {
-        let (level, times) = alone.run(method(solver)?, constraints)?;
+    let level = |solver: &Solver, constraints| {
+        let (level, times) = alone.run(&for_case(solver, study, case), constraints)?;
         Ok(Outcome::Level(Box::new(timed(level, &times))))
     };
     match &job.task {
@@ -119,12 +119,12 @@ fn on_level(job: &Job, study: &Study) -> Result<Outcome, RunError> {
     }
 }
 
-/// The methods that can be timed.
-const METHODS: [Method; 4] = [Method::Condensed, Method::Monotone, Method::InteriorPoint, Method::Multigrid];
-
-/// The method of a name.
-fn method(name: &str) -> Result<Method, RunError> {
-    METHODS.into_iter().find(|m| m.name() == name).ok_or_else(|| RunError::Study(format!("no solver `{name}`")))
+/// The solver, another program with the folders of the case.
+fn for_case(solver: &Solver, study: &Study, case: &Case) -> Solver {
+    match solver {
+        Solver::External(external) => Solver::External(external.for_case(&study.id, &case.name)),
+        own => own.clone(),
+    }
 }
 
 fn timed(mut level: Level, times: &LevelTimes) -> TimedLevel {

@@ -1,12 +1,13 @@
 //! Rounds over the jobs.
 
 use super::collect::{Sorted, study_record};
-use super::job::{Job, Outcome};
+use super::job::{Job, Outcome, Task};
 use super::machine::Machine;
 use super::plan::{Plan, jobs, sizes};
 use super::record::{Bandwidth, BenchRecord, SCHEMA};
 use super::spread::Spread;
 use crate::error::RunError;
+use crate::run::Solver;
 
 /// A job and what became of it in each round.
 pub(super) struct Repeated {
@@ -54,7 +55,11 @@ pub fn measure(
 fn visit(all: &mut [Repeated], backwards: bool, run: &mut impl FnMut(&Job) -> Result<Outcome, String>) {
     let count = all.len();
     for k in 0..count {
-        let repeated = &mut all[if backwards { count - 1 - k } else { k }];
+        let place = if backwards { count - 1 - k } else { k };
+        if all[place].failure.is_none() && has_failed_coarser(all, &all[place].job) {
+            all[place].failure = Some("not tried, since it failed on a coarser mesh".into());
+        }
+        let repeated = &mut all[place];
         if repeated.failure.is_none() {
             match run(&repeated.job) {
                 Ok(outcome) => repeated.outcomes.push(outcome),
@@ -62,6 +67,15 @@ fn visit(all: &mut [Repeated], backwards: bool, run: &mut impl FnMut(&Job) -> Re
             }
         }
     }
+}
+
+/// Whether another program failed on a coarser mesh of the case: what it had no time or memory for there is not to be had here.
+fn has_failed_coarser(all: &[Repeated], job: &Job) -> bool {
+    let is_coarser = |r: &Repeated| {
+        (&r.job.study, &r.job.case, &r.job.task) == (&job.study, &job.case, &job.task)
+            && r.job.cells.len() < job.cells.len()
+    };
+    matches!(job.task, Task::Contact(Solver::External(_))) && all.iter().any(|r| r.failure.is_some() && is_coarser(r))
 }
 
 fn bandwidth(outcomes: &[Outcome]) -> Bandwidth {

@@ -3,7 +3,7 @@
 use super::job::{Job, Task};
 use crate::change::Changes;
 use crate::error::RunError;
-use crate::run::{Alone, Method};
+use crate::run::{Alone, Method, Solver};
 use crate::study::{Case, Scene, Study, Subject as Measured};
 
 /// Unknowns above which the interior point is left out: its factorisations grow past those of the other solvers many times over.
@@ -14,19 +14,21 @@ pub const MOST_CONDENSED: usize = 1_500_000;
 const DOUBLINGS: usize = 24;
 
 /// Unknowns above which a solver is left out.
-pub fn most_unknowns(method: Method) -> usize {
-    match method {
-        Method::InteriorPoint => MOST_INTERIOR_POINT,
-        Method::Condensed | Method::Monotone => MOST_CONDENSED,
-        Method::Automatic | Method::Multigrid => usize::MAX,
+pub fn most_unknowns(solver: &Solver) -> usize {
+    match solver {
+        Solver::Own(Method::InteriorPoint) => MOST_INTERIOR_POINT,
+        Solver::Own(Method::Condensed | Method::Monotone) => MOST_CONDENSED,
+        // another program has its own limits of time
+        Solver::Own(Method::Automatic | Method::Multigrid) | Solver::External(_) => usize::MAX,
     }
 }
 
-/// The solver that a solver's linear problem is solved with: itself, or the factorisation where it has nothing of its own to offer.
-pub fn linear_solver(method: Method) -> Method {
-    match method {
-        Method::InteriorPoint | Method::Monotone => Method::Condensed,
-        own => own,
+/// The solver that a solver's linear problem is solved with: itself, or the factorisation where it has nothing of its own to offer. None
+/// of another program: its linear problem would cost as much again, and say nothing of the programs beside it.
+pub fn linear_solver(solver: &Solver) -> Option<Solver> {
+    match solver.own()? {
+        Method::InteriorPoint | Method::Monotone => Some(Method::Condensed.into()),
+        own => Some(own.into()),
     }
 }
 
@@ -164,7 +166,7 @@ pub struct Plan {
     /// The cases.
     pub subjects: Vec<Subject>,
     /// The solvers, in the order of the tables.
-    pub solvers: Vec<Method>,
+    pub solvers: Vec<Solver>,
     /// The sizes.
     pub sizes: Sizes,
     /// Rounds.
@@ -176,15 +178,13 @@ pub struct Plan {
 }
 
 /// The jobs of one level, each once: contact problems and, once for each solver of theirs, linear problems; one product.
-pub(super) fn jobs(subject: &Subject, size: &Size, solvers: &[Method]) -> Vec<Job> {
-    let fitting = solvers.iter().filter(|s| size.dofs <= most_unknowns(**s));
+pub(super) fn jobs(subject: &Subject, size: &Size, solvers: &[Solver]) -> Vec<Job> {
+    let fitting = solvers.iter().filter(|s| size.dofs <= most_unknowns(s));
     let mut tasks: Vec<Task> = Vec::new();
     for solver in fitting {
-        tasks.push(Task::Contact(solver.name().into()));
-        let linear = Task::Linear(linear_solver(*solver).name().into());
-        if !tasks.contains(&linear) {
-            tasks.push(linear);
-        }
+        tasks.push(Task::Contact(solver.clone()));
+        let linear = linear_solver(solver).map(Task::Linear);
+        tasks.extend(linear.filter(|l| !tasks.contains(l)));
     }
     // of many cases on the same meshes the product is no floor worth its time
     if !subject.is_swept() {
@@ -218,15 +218,15 @@ mod tests {
     fn the_interior_point_leaves_large_levels_alone_and_borrows_its_floor() {
         let study = crate::sample::study("two-squares");
         let subject = Subject::new("two-squares".into(), study, None).unwrap();
-        let solvers = [Method::Condensed, Method::InteriorPoint];
+        let solvers = [Method::Condensed, Method::InteriorPoint].map(Solver::from);
         let names = |dofs| -> Vec<Task> {
             let size = Size { cells: vec![4, 8], dofs };
             jobs(&subject, &size, &solvers).into_iter().map(|j| j.task).collect()
         };
-        let contact = |s: &str| Task::Contact(s.into());
-        let linear = Task::Linear("condensed".into());
-        assert_eq!(names(20_000), [contact("condensed"), linear.clone(), contact("interior-point"), Task::Product]);
-        assert_eq!(names(20_001), [contact("condensed"), linear, Task::Product]);
+        let [condensed, interior] = solvers.clone().map(Task::Contact);
+        let linear = Task::Linear(Method::Condensed.into());
+        assert_eq!(names(20_000), [condensed.clone(), linear.clone(), interior, Task::Product]);
+        assert_eq!(names(20_001), [condensed, linear, Task::Product]);
         assert_eq!(names(1_500_001), [Task::Product]);
     }
 }

@@ -96,8 +96,8 @@ pub struct Size {
 pub struct SolverCurve {
     /// Its name.
     pub solver: String,
-    /// The solver of the linear problem that it is compared with.
-    pub linear_solver: String,
+    /// The solver of the linear problem that it is compared with; none of another program.
+    pub linear_solver: Option<String>,
     /// What was solved, coarsest first.
     pub runs: Vec<Measured>,
     /// What was not, and why.
@@ -137,7 +137,7 @@ pub struct Measured {
     pub level: usize,
     /// How the solve ended.
     pub status: String,
-    /// Iterations.
+    /// Iterations; 0 of another program, which does not tell.
     pub iterations: usize,
     /// Sparse factorisations.
     pub factorizations: usize,

@@ -6,13 +6,14 @@ use super::record::{BenchRecord, ErrorSource};
 use super::{measure, plan};
 use crate::change::Changes;
 use crate::error::RunError;
-use crate::run::Method;
+use crate::external::{External, Limits};
+use crate::run::{Method, Solver};
 use crate::sample;
 
 fn plan(study: &str, case: Option<&str>, repeat: usize, most: usize) -> Plan {
     Plan {
         subjects: vec![Subject::new(study.into(), sample::study(study), case).unwrap()],
-        solvers: vec![Method::Condensed, Method::InteriorPoint],
+        solvers: vec![Method::Condensed.into(), Method::InteriorPoint.into()],
         sizes: Sizes { least: 0, most, levels: None },
         repeat,
         threads: 1,
@@ -105,7 +106,7 @@ fn a_job_that_fails_is_left_out_with_its_reason_and_not_tried_again() {
         &plan,
         |_| (),
         |job| match &job.task {
-            Task::Contact(solver) if solver == "condensed" && job.cells.len() == 2 => {
+            Task::Contact(solver) if solver.name() == "condensed" && job.cells.len() == 2 => {
                 tries += 1;
                 Err("killed".into())
             }
@@ -119,9 +120,36 @@ fn a_job_that_fails_is_left_out_with_its_reason_and_not_tried_again() {
 }
 
 #[test]
+fn another_program_that_fails_is_not_tried_on_finer_meshes_and_has_no_linear_problem() {
+    let external = External::parse("sh -c 'exit 1'", "out".into(), Limits::default()).unwrap();
+    let mut plan = plan("theorem-3-1-smooth", None, 2, 10_000);
+    plan.solvers = vec![Method::Condensed.into(), Solver::External(external)];
+    let mut tries = Vec::new();
+    let made = measure(
+        &plan,
+        |_| (),
+        |job| match &job.task {
+            Task::Contact(Solver::External(_)) => {
+                tries.push(job.cells.len());
+                if job.cells.len() == 2 { Err("it took too long".into()) } else { Ok(made_up(job, 0.0)) }
+            }
+            _ => Ok(made_up(job, 0.0)),
+        },
+    );
+    let record = made.unwrap();
+    let [own, theirs] = &record.studies[0].solvers[..] else { panic!("two solvers") };
+    assert_eq!((own.solver.as_str(), own.runs.len(), theirs.solver.as_str()), ("condensed", 3, "sh"));
+    assert_eq!((tries, theirs.runs.len(), theirs.linear_solver.as_ref()), (vec![1, 2, 1], 1, None));
+    assert!(theirs.runs[0].linear.is_none() && own.runs[0].linear.is_some());
+    let reasons: Vec<&str> = theirs.left_out.iter().map(|l| l.reason.as_str()).collect();
+    assert_eq!(reasons, ["it took too long", "not tried, since it failed on a coarser mesh"]);
+    assert!(record.is_incomplete());
+}
+
+#[test]
 fn without_an_exact_solution_errors_come_from_the_energies() {
     let mut plan = plan("two-squares", None, 1, 70_000);
-    plan.solvers = vec![Method::Condensed];
+    plan.solvers = vec![Method::Condensed.into()];
     let (record, _) = record(&plan);
     let study = &record.studies[0];
     assert_eq!((study.error, study.sizes.len()), (ErrorSource::Energies, 5));
@@ -147,15 +175,13 @@ fn a_real_level_is_that_of_a_run_and_its_linear_twin_has_no_bounds() {
         Outcome::Level(timed) => *timed,
         other => panic!("{other:?}"),
     };
-    let contact = level(Task::Contact("condensed".into()));
-    let linear = level(Task::Linear("condensed".into()));
+    let contact = level(Task::Contact(Method::Condensed.into()));
+    let linear = level(Task::Linear(Method::Condensed.into()));
     assert!(contact.level.errors.energy.unwrap() < 0.5 && contact.level.constraints == 9);
     assert_eq!((linear.level.constraints, linear.level.dofs), (0, contact.level.dofs - 9));
     assert!(linear.level.solver.solved && linear.wall[2] + linear.wall[3] > 0.0);
     let Outcome::Product(product) = outcome(Task::Product) else { panic!("a product") };
     assert!(product.seconds > 0.0 && product.matrix_bytes > 36 * 2 * 81);
-    let refused = carry_out::<RunError>(&job(Task::Contact("magic".into())), |_| Ok(study.clone()));
-    assert!(refused.unwrap_err().to_string().contains("no solver `magic`"));
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! One level of a case by itself, for measurements of time and memory that nothing else may disturb.
 
+use super::Solver;
 use super::level::Task;
 use super::timing::LevelTimes;
 use crate::error::RunError;
@@ -42,14 +43,16 @@ impl Alone<'_> {
     ///
     /// # Errors
     /// As [`run_case`](super::run_case).
-    pub fn run(&self, method: Method, constraints: Constraints) -> Result<(Level, LevelTimes), RunError> {
+    pub fn run(&self, solver: &Solver, constraints: Constraints) -> Result<(Level, LevelTimes), RunError> {
         let case = Case { second: None, splitting: None, ..self.case.clone() };
         let mut scene = self.scene.clone();
         if constraints == Constraints::AllBilateral {
             scene.bilateral = (0..scene.contact.pieces().len()).collect();
         }
+        let method = solver.own().unwrap_or(case.solver.method);
         let settings = Settings { method, accuracy: Accuracy::Discretisation(SHARE), ..case.solver };
-        let task = Task::new(&case, &scene, self.cells, settings);
+        let external = if let Solver::External(external) = solver { Some(external.clone()) } else { None };
+        let task = Task { external, ..Task::new(&case, &scene, self.cells, settings) };
         let index = self.cells.len() - 1;
         match (&scene.exact, constraints) {
             (Some(exact), Constraints::OfScene) if case.reference == ReferencePlan::Exact => {

@@ -1,9 +1,9 @@
 //! What the command line asks of a run, and what that means for a case.
 
-use crate::external::External;
+use super::Solver;
 use crate::fields::Keep;
 use crate::study::{Case, ReferencePlan};
-use signorini_contact::solver::{Method, Settings};
+use signorini_contact::solver::Settings;
 use std::path::PathBuf;
 
 /// How large the meshes are.
@@ -28,22 +28,6 @@ pub struct RunSettings {
     pub partial: Option<PathBuf>,
     /// Which levels keep their fields.
     pub keep: Keep,
-}
-
-/// Who solves the levels. References are always solved here.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Solver {
-    /// A method of this program.
-    Own(Method),
-    /// Another program.
-    External(External),
-}
-
-impl Solver {
-    /// The method, if it is one of this program.
-    pub fn own(&self) -> Option<Method> {
-        if let Self::Own(method) = self { Some(*method) } else { None }
-    }
 }
 
 /// The mesh parameters of a case under these settings, coarsest first.

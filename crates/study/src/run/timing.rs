@@ -23,6 +23,9 @@ pub struct LevelTimes {
     /// What the program used that solved the level in place of this one. Its wall time is in `solve`, and the peak is its own.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub external: Option<Used>,
+    /// Seconds in which the level was written down for that program and its answer read; they are in no phase.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub handover: Option<f64>,
     /// Processor seconds of the whole process in each phase, in the order of [`LevelTimes::phases`], where the system tells. They
     /// are those of the level only where nothing else runs beside it, so they are not written with the others.
     #[serde(skip)]
@@ -70,10 +73,12 @@ impl Stopwatch {
         self.last_processor = used;
     }
 
-    /// Ends a phase in which another program did the work, after files were written for it.
+    /// Ends a span in which files were written, another program solved, and its answer was read: its own time is the solve, the
+    /// rest belongs to no phase.
     pub fn external(&mut self, used: Used) {
-        self.lap(|t| &mut t.assembly);
-        self.times.assembly = (self.times.assembly - used.seconds).max(0.0);
+        let now = Instant::now();
+        self.times.handover = Some(((now - self.last).as_secs_f64() - used.seconds).max(0.0));
+        (self.last, self.last_processor) = (now, processor_seconds());
         self.times.solve += used.seconds;
         self.processor.solve += used.processor;
         self.times.external = Some(used);

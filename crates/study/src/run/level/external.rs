@@ -7,7 +7,7 @@ use crate::run::timing::Stopwatch;
 use signorini_contact::problem::{Discrete, Problem};
 
 impl Task<'_> {
-    /// Hands the level over and takes the answer. Writing the files counts as assembly, the program's own time as its solve.
+    /// Hands the level over and takes the answer. The program's own time is the solve, writing and reading files for it no phase.
     pub(super) fn have_solved(
         &self,
         external: &External,
