@@ -33,6 +33,7 @@ fn run_and_tell(args: &RunArgs) -> Result<u8, Failure> {
     say_drift(&drift, args.strict);
     if !args.quiet {
         sayln!("tables and plots: {}", args.out.join("summary.md").display());
+        sayln!("all on one page:  {}", args.out.join("index.html").display());
     }
     let status = verdict::exit_status(&records);
     let drifted = drift.iter().any(|(_, drift)| !drift.is_empty());

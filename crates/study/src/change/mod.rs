@@ -8,7 +8,7 @@
 //! options. A changed study has an id of its own, with a `_` that no file's id may hold: its records, the levels that it keeps and its
 //! baselines never meet those of the plain study.
 //!
-//! Reading order: [`option`] (what was typed), [`edit`] (one key), [`cases`] (all keys), [`label`] (names).
+//! Reading order: `option` (what was typed), `edit` (one key), `cases` (all keys), `label` (names).
 
 mod cases;
 mod edit;
