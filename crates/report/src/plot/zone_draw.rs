@@ -115,8 +115,14 @@ fn trace<DB: DrawingBackend>(t: &Trace, canvas: &Canvas<DB>, p: &Panel) -> Drawn
         return canvas.line(&thinned(&pixels), t.colour, 2.5, 1.0);
     }
     canvas.line(&pixels, t.colour, 1.0, 0.35)?;
+    let mut noted: Option<(f64, f64)> = None;
     for (x, y) in t.points.iter().copied().filter(inside) {
-        canvas.note(p.at((x, y)), || format!("{}: {} at {}", t.label, significant(y, 5), significant(x, 5)));
+        let at = p.at((x, y));
+        // nobody can point at one of two places that are closer than this
+        if noted.is_none_or(|last| (at.0 - last.0).hypot(at.1 - last.1) >= STRIDE) {
+            canvas.note(at, || format!("{}: {} at {}", t.label, significant(y, 5), significant(x, 5)));
+            noted = Some(at);
+        }
     }
     let radius = radius(&pixels);
     pixels.iter().try_for_each(|at| canvas.mark(*at, radius, Shape::Circle, t.colour, MarkKind::Used))
