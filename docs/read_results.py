@@ -43,7 +43,7 @@ else:
     failed |= not np.isclose(slope, rate["slope"], rtol=0, atol=1e-9)
 
 # %% The fields of the levels that kept theirs: one .npy file for each array.
-for path in sorted(p for p in folder.glob("fields/level-*") if p.is_dir()):
+for path in sorted(path for path in folder.glob("fields/level-*") if path.is_dir()):
     level = next(entry for entry in levels if path.name == f"level-{entry['level']}")
     field = {file.stem: np.load(file) for file in path.glob("*.npy")}
     # A(u,u) = Σ |T| τ:ε with τ:ε = τ11 ε11 + τ22 ε22 + 2 τ12 ε12

@@ -2,39 +2,8 @@
 
 mod common;
 
-use common::{Ended, Folder};
+use common::{Ended, Folder, relaxation};
 use serde_json::Value;
-
-/// Gauss–Seidel with projection for `min ½xᵀKx − fᵀx, x ≤ upper`; the finer of two levels is refused where `LARGEST` is below its size.
-const RELAXATION: &str = r#"
-FNR == 1 { file++ }
-/^%/ { next }
-FILENAME ~ /K.mtx$/ && size[file]++ == 0 {
-    n = $1
-    if (n > LARGEST) { print "too large: " n | "cat 1>&2"; close("cat 1>&2"); stopped = 1; exit 2 }
-    next
-}
-FILENAME ~ /K.mtx$/ { add($1, $2, $3); if ($1 != $2) add($2, $1, $3); next }
-size[file]++ == 0 { next }
-FILENAME ~ /f.mtx$/ { f[++nf] = $1 }
-FILENAME ~ /upper.mtx$/ { upper[++nu] = $1 == "inf" ? 1e300 : $1 }
-function add(i, j, v) {
-    if (i == j) { diagonal[i] = v; return }
-    count[i]++; column[i, count[i]] = j; value[i, count[i]] = v
-}
-END {
-    if (stopped) exit 2
-    for (step = 0; step < 50; step++)
-        for (i = 1; i <= n; i++) {
-            rest = f[i]
-            for (k = 1; k <= count[i]; k++) rest -= value[i, k] * x[column[i, k]]
-            x[i] += 1.85 * (rest / diagonal[i] - x[i])
-            if (x[i] > upper[i]) x[i] = upper[i]
-        }
-    print "%%MatrixMarket matrix array real general\n" n " 1" > "x.mtx"
-    for (i = 1; i <= n; i++) printf "%.17g\n", x[i] > "x.mtx"
-}
-"#;
 
 /// The bench on two levels of 72 and 200-odd unknowns with the program, twice under one name.
 fn bench(folder: &Folder, out: &str) -> Ended {
@@ -47,7 +16,7 @@ fn bench(folder: &Folder, out: &str) -> Ended {
 #[test]
 fn another_program_stands_beside_our_own_solvers() {
     let folder = Folder::new("bench-external");
-    folder.write("solve.awk", &RELAXATION.replace("LARGEST", "700"));
+    folder.write("solve.awk", &relaxation(400, 700));
     let ended = bench(&folder, "out");
     ended.expect(2);
     let record: Value = serde_json::from_str(&folder.text("out/bench.json")).expect("JSON");

@@ -117,9 +117,16 @@ fn check_does_everything_but_the_solve() {
     folder.signorini("check loaded").complains(2, &["loaded.toml", "translation of Ω' along (0, 1)"]);
 }
 
-const OF_A_CASE: [&str; 11] = [
+const OF_A_CASE: [&str; 19] = [
+    "deformed.png",
+    "deformed.svg",
+    "fields/level-1-zone.vtu",
+    "fields/level-1.json",
+    "fields/level-1.vtu",
     "ledger.png",
     "ledger.svg",
+    "mesh.png",
+    "mesh.svg",
     "pressure.png",
     "pressure.svg",
     "rates.png",
@@ -128,6 +135,7 @@ const OF_A_CASE: [&str; 11] = [
     "report.md",
     "table.csv",
     "table.json",
+    "table.tex",
     "timings.json",
 ];
 
@@ -141,7 +149,10 @@ fn one_case_has_no_folder_of_its_own_and_several_have() {
         let files = OF_A_CASE.iter().filter(|f| **f != "timings.json");
         expected.extend(files.map(|f| format!("pair/{case}/{f}")));
     }
-    expected.extend(["pair/timings.json", "statements.md", "summary.json", "summary.md"].map(String::from));
+    expected.extend(
+        ["pair/timings.json", "index.html", "statements.md", "summary.json", "summary.md", "summary.tex"]
+            .map(String::from),
+    );
     expected.sort();
     assert_eq!(names(&folder.path("deep/er")), expected);
     assert!(!folder.path("reports").exists() && !folder.path("deep/er/.partial").exists());
@@ -162,7 +173,9 @@ fn report_renders_the_same_bytes_again_from_the_records_alone() {
     folder.add(&two_cases());
     let run = folder.signorini("run --quiet").expect(0);
     let written = tree(&folder.path("reports"), "");
-    for (path, _) in written.iter().filter(|(p, _)| !p.ends_with("record.json") && !p.ends_with("timings.json")) {
+    let is_source =
+        |path: &str| path.contains("/fields/") || ["record.json", "timings.json"].iter().any(|f| path.ends_with(f));
+    for (path, _) in written.iter().filter(|(path, _)| !is_source(path)) {
         folder.write(&format!("reports/{path}"), "spoilt");
     }
     assert_eq!(folder.signorini("report").expect(0).out, run.out);
@@ -256,7 +269,7 @@ fn a_table_has_a_row_for_each_level_and_pictures_are_pictures() {
     let dofs = rows[0].split(',').position(|c| c == "dofs").expect("a column of dofs");
     let column: Vec<&str> = rows[1..].iter().map(|r| r.split(',').nth(dofs).expect("a cell")).collect();
     assert_eq!(column, ["288", "1088", "4224", "16640"]);
-    for picture in ["rates", "ledger"] {
+    for picture in ["rates", "ledger", "mesh", "deformed"] {
         let png = std::fs::read(folder.path(&format!("reports/smooth/{picture}.png"))).expect("a picture");
         assert_eq!(&png[..8], b"\x89PNG\r\n\x1a\n");
         assert!(folder.text(&format!("reports/smooth/{picture}.svg")).starts_with("<svg"));

@@ -5,7 +5,7 @@ mod common;
 use common::{Folder, LOADED, SMOOTH, edit, files, names, same_tree, tree};
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Stdio;
+use std::process::{Child, Stdio};
 
 /// Everything but the times.
 fn results(folder: &Folder, out: &str) -> Vec<(String, Vec<u8>)> {
@@ -75,16 +75,22 @@ fn interrupted(test: &str) -> Folder {
     (0..5).find_map(|_| killed_midway(test)).expect("a run that can be interrupted")
 }
 
-fn killed_midway(test: &str) -> Option<Folder> {
-    let folder = Folder::with_study(test, &long());
-    let mut child =
-        folder.command("run --quiet --threads 1").stdout(Stdio::null()).spawn().expect("the program starts");
-    while !kept(&folder).iter().any(|p| p.ends_with("level-3.json")) {
+/// A run of which `level` was just kept.
+fn begun(folder: &Folder, level: &str) -> Option<Child> {
+    let mut command = folder.command("run --quiet --threads 1");
+    let mut child = command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn().expect("the program starts");
+    while !kept(folder).iter().any(|p| p.ends_with(level)) {
         if child.try_wait().expect("a child").is_some() {
             return None;
         }
         std::thread::sleep(std::time::Duration::from_millis(1));
     }
+    Some(child)
+}
+
+fn killed_midway(test: &str) -> Option<Folder> {
+    let folder = Folder::with_study(test, &long());
+    let mut child = begun(&folder, "level-3.json")?;
     child.kill().expect("a child");
     child.wait().expect("a child");
     let unfinished = !folder.path("reports/smooth").exists() && !kept(&folder).is_empty();
@@ -92,8 +98,8 @@ fn killed_midway(test: &str) -> Option<Folder> {
 }
 
 /// Changes a number of a kept level, so that whoever uses it can be told.
-fn mark(folder: &Folder) {
-    let level = kept(folder).into_iter().find(|p| p.ends_with("level-1.json")).expect("a kept level");
+fn mark(folder: &Folder, name: &str) {
+    let level = kept(folder).into_iter().find(|p| p.ends_with(name)).expect("a kept level");
     let text = fs::read_to_string(&level).expect("a kept level");
     fs::write(&level, edit(&text, "\"status\": \"converged", "\"status\": \"marked, converged")).expect("a kept level");
 }
@@ -125,10 +131,52 @@ fn an_interrupted_run_resumes_to_the_same_bytes() {
     same_tree(&expected, &results(&resumed, "reports"));
 }
 
+/// Ctrl-C while one of the first levels runs: what it said. `None` if the run was faster.
+#[cfg(unix)]
+fn stopped(folder: &Folder) -> Option<String> {
+    let child = begun(folder, "level-0.json")?;
+    let signal = format!("kill -INT {}", child.id());
+    std::process::Command::new("sh").args(["-c", &signal]).status().expect("a signal");
+    let ended = child.wait_with_output().expect("a child");
+    let said = String::from_utf8(ended.stderr).expect("UTF-8");
+    (ended.status.code() == Some(130)).then_some(said)
+}
+
+#[cfg(unix)]
+#[test]
+fn ctrl_c_keeps_finished_levels_and_says_how_to_go_on() {
+    let whole = Folder::with_study("unbroken", &long());
+    finish(&whole, "");
+    let expected = results(&whole, "reports");
+    // Should the machine pause this test for so long that the run ends first, it is tried again.
+    let (folder, said) = (0..5)
+        .find_map(|_| {
+            let folder = Folder::with_study("stopped", &long());
+            stopped(&folder).map(|said| (folder, said))
+        })
+        .expect("a run that can be stopped");
+    assert!(said.contains("stopping: levels that run come to their end"), "{said}");
+    let kept = kept(&folder).len();
+    assert!((1..5).contains(&kept) && !folder.path("reports/smooth").exists(), "{kept} levels");
+    let levels = if kept == 1 { "1 level".to_owned() } else { format!("{kept} levels") };
+    assert!(
+        said.contains(&format!("error: interrupted; {levels} of unfinished cases kept in reports/.partial")),
+        "{said}"
+    );
+    assert!(said.contains("hint: the same command goes on from there: signorini run --quiet --threads 1"), "{said}");
+    mark(&folder, "level-0.json");
+    finish(&folder, "--threads 1");
+    let marked = folder.record("reports/smooth").levels[0].solver.status.clone();
+    assert!(marked.starts_with("marked"), "the kept level was not used: {marked}");
+    // unmarked again, the bytes are those of a run that was never stopped
+    let record = folder.text("reports/smooth/record.json").replace("marked, converged", "converged");
+    assert!(expected.iter().any(|(path, bytes)| path == "smooth/record.json" && *bytes == record.as_bytes()));
+}
+
 #[test]
 fn a_kept_level_is_used_once_and_never_for_another_run() {
     let folder = interrupted("kept");
-    mark(&folder);
+    mark(&folder, "level-1.json");
     finish(&folder, "");
     assert!(is_marked(&folder), "the kept level was not used");
     // A finished run is computed anew.
@@ -137,7 +185,7 @@ fn a_kept_level_is_used_once_and_never_for_another_run() {
 
     // Other settings are another problem: what was kept is discarded.
     let folder = interrupted("stale");
-    mark(&folder);
+    mark(&folder, "level-1.json");
     finish(&folder, "--levels 4");
     assert!(!is_marked(&folder));
 }

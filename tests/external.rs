@@ -2,35 +2,9 @@
 
 mod common;
 
-use common::{Ended, Folder, LOADED};
+use common::{Ended, Folder, LOADED, relaxation};
 use signorini_study::record::Outcome;
 use std::fs;
-
-/// Projected successive over-relaxation for `min ½xᵀKx − fᵀx, x ≤ upper`, in the one language that every Unix system has. `STEPS` sweeps.
-const RELAXATION: &str = r#"
-FNR == 1 { file++ }
-/^%/ { next }
-FILENAME ~ /K.mtx$/ && size[file]++ == 0 { n = $1; next }
-FILENAME ~ /K.mtx$/ { add($1, $2, $3); if ($1 != $2) add($2, $1, $3); next }
-size[file]++ == 0 { next }
-FILENAME ~ /f.mtx$/ { f[++nf] = $1 }
-FILENAME ~ /upper.mtx$/ { upper[++nu] = $1 == "inf" ? 1e300 : $1 }
-function add(i, j, v) {
-    if (i == j) { diagonal[i] = v; return }
-    count[i]++; column[i, count[i]] = j; value[i, count[i]] = v
-}
-END {
-    for (step = 0; step < STEPS; step++)
-        for (i = 1; i <= n; i++) {
-            rest = f[i]
-            for (k = 1; k <= count[i]; k++) rest -= value[i, k] * x[column[i, k]]
-            x[i] += 1.85 * (rest / diagonal[i] - x[i])
-            if (x[i] > upper[i]) x[i] = upper[i]
-        }
-    print "%%MatrixMarket matrix array real general\n" n " 1" > "x.mtx"
-    for (i = 1; i <= n; i++) printf "%.17g\n", x[i] > "x.mtx"
-}
-"#;
 
 /// A folder with the loaded study and a program.
 fn folder(test: &str, program: &str) -> Folder {
@@ -50,7 +24,7 @@ const WITH_AWK: &str = "awk -f solve.awk K.mtx f.mtx upper.mtx";
 
 #[test]
 fn a_solver_of_the_quadratic_problem_is_graded_like_our_own() {
-    let folder = folder("external", &RELAXATION.replace("STEPS", "1000"));
+    let folder = folder("external", &relaxation(1000, usize::MAX));
     run(&folder, "theirs", WITH_AWK);
     folder.signorini("run loaded --quiet --out ours");
     let (theirs, ours) = (folder.record("theirs/loaded"), folder.record("ours/loaded"));
@@ -70,7 +44,7 @@ fn a_solver_of_the_quadratic_problem_is_graded_like_our_own() {
 
 #[test]
 fn a_solver_that_stops_too_early_is_shown_and_left_out() {
-    let folder = folder("external-early", &RELAXATION.replace("STEPS", "8"));
+    let folder = folder("external-early", &relaxation(8, usize::MAX));
     run(&folder, "reports", WITH_AWK).expect(2);
     let record = folder.record("reports/loaded");
     assert_eq!(record.verdict.outcome, Outcome::Inconclusive);

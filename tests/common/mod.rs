@@ -118,14 +118,22 @@ pub fn edit(text: &str, old: &str, new: &str) -> String {
     text.replacen(old, new, 1)
 }
 
-/// Every file below a folder with its bytes, by path, but those called `except`.
+/// Every file below a folder with its bytes, by path, but those called `except`; pages without their times.
 pub fn tree(root: &Path, except: &str) -> Vec<(String, Vec<u8>)> {
     let wanted = |path: &String| Path::new(path).file_name().is_some_and(|name| name != except);
     let read = |path: String| {
         let bytes = fs::read(root.join(&path)).expect("a file");
+        let is_page = path.ends_with("index.html");
+        let bytes = if is_page { timeless(&String::from_utf8_lossy(&bytes)).into_bytes() } else { bytes };
         (path, bytes)
     };
     names(root).into_iter().filter(wanted).map(read).collect()
+}
+
+/// A page without the times that stand between its marks.
+pub fn timeless(page: &str) -> String {
+    let parts = page.split("<!--times-->").map(|part| part.split_once("<!--/times-->").map_or(part, |(_, rest)| rest));
+    parts.collect()
 }
 
 /// Every file below a folder, sorted. What vanishes while it is looked at is not there.
@@ -297,3 +305,39 @@ rate = 0.711
 asymptotic_only = true
 reason = "the corner between clamped and free sides governs large sizes only"
 "#;
+
+/// Projected successive over-relaxation for `min ½xᵀKx − fᵀx, x ≤ upper`, in the one language that every Unix system has.
+const RELAXATION: &str = r#"
+FNR == 1 { file++ }
+/^%/ { next }
+FILENAME ~ /K.mtx$/ && size[file]++ == 0 {
+    n = $1
+    if (n > LARGEST) { print "too large: " n | "cat 1>&2"; close("cat 1>&2"); stopped = 1; exit 2 }
+    next
+}
+FILENAME ~ /K.mtx$/ { add($1, $2, $3); if ($1 != $2) add($2, $1, $3); next }
+size[file]++ == 0 { next }
+FILENAME ~ /f.mtx$/ { f[++nf] = $1 }
+FILENAME ~ /upper.mtx$/ { upper[++nu] = $1 == "inf" ? 1e300 : $1 }
+function add(i, j, v) {
+    if (i == j) { diagonal[i] = v; return }
+    count[i]++; column[i, count[i]] = j; value[i, count[i]] = v
+}
+END {
+    if (stopped) exit 2
+    for (step = 0; step < STEPS; step++)
+        for (i = 1; i <= n; i++) {
+            rest = f[i]
+            for (k = 1; k <= count[i]; k++) rest -= value[i, k] * x[column[i, k]]
+            x[i] += 1.85 * (rest / diagonal[i] - x[i])
+            if (x[i] > upper[i]) x[i] = upper[i]
+        }
+    print "%%MatrixMarket matrix array real general\n" n " 1" > "x.mtx"
+    for (i = 1; i <= n; i++) printf "%.17g\n", x[i] > "x.mtx"
+}
+"#;
+
+/// An external solver of `steps` sweeps, to be called by `awk -f solve.awk K.mtx f.mtx upper.mtx`; it fails above `largest` unknowns.
+pub fn relaxation(steps: usize, largest: usize) -> String {
+    RELAXATION.replace("STEPS", &steps.to_string()).replace("LARGEST", &largest.to_string())
+}

@@ -8,6 +8,7 @@ use signorini_study::study::Study;
 
 /// Arguments of every command that reads studies.
 #[derive(Args, Debug, Clone, Default)]
+#[command(next_help_heading = "Keys of the study")]
 pub struct ChangeArgs {
     /// Give a key of the study file another value, e.g. body.upper.material.poisson=0.49; repeatable.
     ///

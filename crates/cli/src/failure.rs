@@ -1,12 +1,14 @@
 //! What stops the program, in the form `error:` … `hint:` ….
 
 use crate::args::COMMANDS;
+use crate::interrupt;
 use signorini_report::ReportError;
 use signorini_study::error::RunError;
 use signorini_study::file::{LibraryError, StudyError};
 use signorini_study::nearest::nearest;
 use signorini_study::store::StoreError;
 use signorini_study::study::Study;
+use signorini_study::verdict::BAD_INPUT;
 use std::fmt;
 
 const OTHER_FOLDER: &str = "free the path, or name another folder with --out";
@@ -19,20 +21,45 @@ const MEND_SOLVER: &str =
 pub struct Failure {
     what: String,
     hint: Option<String>,
+    status: u8,
 }
 
 impl Failure {
     /// A failure with the next step.
     pub fn new(what: impl Into<String>, hint: impl Into<String>) -> Self {
-        Self { what: what.into(), hint: Some(hint.into()) }
+        Self { what: what.into(), hint: Some(hint.into()), status: BAD_INPUT }
+    }
+
+    /// A failure that speaks for itself.
+    fn bare(what: impl Into<String>) -> Self {
+        Self { what: what.into(), hint: None, status: BAD_INPUT }
+    }
+
+    /// The same with another exit status than that of bad input.
+    pub fn with_status(self, status: u8) -> Self {
+        Self { status, ..self }
+    }
+
+    /// The exit status.
+    pub fn status(&self) -> u8 {
+        self.status
+    }
+
+    /// Whether the user asked to stop.
+    pub fn is_interruption(&self) -> bool {
+        self.status == interrupt::STATUS
     }
 
     /// An error of a study's run, with the file that the study was read from.
     pub fn of_run(study: &Study, error: &RunError) -> Self {
-        let what = format!("{}: {error}", study.source.display());
-        if error.is_of_files() {
-            return Self::new(what, OTHER_FOLDER);
+        if error.is_interruption() {
+            return Self::bare("interrupted").with_status(interrupt::STATUS);
         }
+        if error.is_of_files() {
+            // the study is not to blame, so it is not named
+            return Self::new(error.to_string(), OTHER_FOLDER);
+        }
+        let what = format!("{}: {error}", study.source.display());
         if error.is_of_external() {
             return Self::new(what, MEND_SOLVER);
         }
@@ -45,7 +72,7 @@ impl Failure {
 
 impl From<RunError> for Failure {
     fn from(e: RunError) -> Self {
-        Self { what: e.to_string(), hint: None }
+        Self::bare(e.to_string())
     }
 }
 
@@ -62,7 +89,7 @@ impl From<StudyError> for Failure {
         let text = e.to_string();
         match text.rsplit_once("\nnext: ") {
             Some((what, next)) => Self::new(what, next),
-            None => Self { what: text, hint: None },
+            None => Self::bare(text),
         }
     }
 }
@@ -90,7 +117,7 @@ impl From<StoreError> for Failure {
             StoreError::Content { .. } => {
                 Self::new(what, "delete the file and write it anew: `run` for records, `bless` for baselines")
             }
-            StoreError::Name(_) => Self { what, hint: None },
+            StoreError::Name(_) => Self::bare(what),
         }
     }
 }
@@ -99,7 +126,7 @@ impl From<ReportError> for Failure {
     fn from(e: ReportError) -> Self {
         match e {
             ReportError::Store(e) => Self::from(e),
-            other => Self { what: other.to_string(), hint: None },
+            other => Self::bare(other.to_string()),
         }
     }
 }

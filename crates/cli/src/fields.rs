@@ -2,9 +2,11 @@
 
 use clap::Args;
 use signorini_study::fields::Keep;
+use signorini_study::record::StudyRecord;
 
 /// Fields of levels.
 #[derive(Args, Debug, Clone)]
+#[command(next_help_heading = "Output")]
 pub struct FieldsArg {
     /// Levels whose displacement, strain, stress and contact pressure are kept, drawn and written for ParaView (VTU) and NumPy:
     /// `none`, `all`, `last`, or numbers from 0, separated by commas. Without it one level of each case is kept and drawn, the
@@ -17,6 +19,16 @@ impl FieldsArg {
     /// What to keep.
     pub fn keep(&self) -> Keep {
         self.fields.clone().unwrap_or(Keep::Page)
+    }
+
+    /// What to say of a case that lacks a level that was asked for.
+    pub fn missing(&self, record: &StudyRecord) -> Option<String> {
+        let Some(Keep::Levels(asked)) = &self.fields else { return None };
+        let finest = record.levels.iter().filter(|l| l.has_solution()).map(|l| l.level).max()?;
+        let missing = asked.iter().find(|level| **level > finest)?;
+        let (study, case) = (&record.study, &record.case);
+        let name = if record.several { format!("{study}/{case}") } else { study.clone() };
+        Some(format!("{name}: no level {missing} to keep the fields of; levels run from 0 to {finest}\n"))
     }
 }
 

@@ -33,10 +33,20 @@ pub enum Service {
     Github,
 }
 
+const OTHER_FILE: &str = "free the path, or name another file with --junit";
+
 impl GateArgs {
     /// Whether anything is asked for.
     pub fn is_asked(&self) -> bool {
         self.junit.is_some() || self.annotations.is_some()
+    }
+
+    /// Makes the folder of the file, before anything is solved for it.
+    pub fn prepare(&self) -> Result<(), Failure> {
+        let folder = self.junit.as_deref().and_then(Path::parent).filter(|f| !f.as_os_str().is_empty());
+        let Some(folder) = folder else { return Ok(()) };
+        std::fs::create_dir_all(folder)
+            .map_err(|e| Failure::new(format!("--junit: {}: {e}", folder.display()), OTHER_FILE))
     }
 
     /// Tells of a run that came to its end. `drift` is that of the runs, in their order.
@@ -77,8 +87,7 @@ impl GateArgs {
 
     fn write(&self, text: impl FnOnce() -> Result<String, ReportError>) -> Result<(), Failure> {
         let Some(path) = &self.junit else { return Ok(()) };
-        let hint = "free the path, or name another file with --junit";
-        store::write_atomic(path, text()?).map_err(|e| Failure::new(e.to_string(), hint))
+        store::write_atomic(path, text()?).map_err(|e| Failure::new(e.to_string(), OTHER_FILE))
     }
 }
 

@@ -9,14 +9,20 @@ mod bless;
 mod change;
 mod check;
 mod coverage;
+mod explain;
 mod failure;
 mod falsify;
 mod fields;
 mod gate;
+mod help;
+mod interrupt;
 mod list;
+mod new;
+mod pages;
 mod progress;
 mod report;
 mod run;
+mod schema;
 mod solver;
 
 use args::{Cli, Command};
@@ -38,12 +44,17 @@ fn main() -> ExitCode {
         Command::Falsify(args) => falsify::falsify(&args),
         Command::Coverage(args) => coverage::coverage(&args),
         Command::Report { dir } => report::report(&dir),
+        Command::New(args) => new::new(&args),
+        Command::Explain { claim } => explain::explain(&claim),
+        Command::Schema { of } => schema::schema(of),
+        Command::Completions { shell } => pages::completions(shell),
+        Command::Man { out } => pages::man(out.as_deref()),
     };
     match result {
         Ok(status) => ExitCode::from(status),
         Err(failure) => {
             complain!("{failure}");
-            ExitCode::from(signorini_study::verdict::BAD_INPUT)
+            ExitCode::from(failure.status())
         }
     }
 }

@@ -8,9 +8,12 @@ use std::path::Path;
 
 /// Renders every record below `dir` and returns the exit status of the run that wrote them.
 pub fn report(dir: &Path) -> Result<u8, Failure> {
+    let hint = "run some studies first: `signorini run`, or name the folder that `--out` wrote";
+    if !dir.is_dir() {
+        return Err(Failure::new(format!("{} is no folder", dir.display()), hint));
+    }
     let records = store::read_records(dir)?;
     if records.is_empty() {
-        let hint = "run some studies first: `signorini run`, or name the folder that `--out` wrote";
         return Err(Failure::new(format!("{} holds no record", dir.display()), hint));
     }
     for record in &records {

@@ -3,6 +3,7 @@
 use crate::args::{ProfileArg, RunArgs, SolverArg};
 use crate::change::load_changed;
 use crate::failure::Failure;
+use crate::interrupt;
 use crate::progress::Progress;
 use serde::Serialize;
 use signorini_report::{CaseDrift, drift_text, summary_text};
@@ -22,6 +23,7 @@ pub fn run(args: &RunArgs) -> Result<u8, Failure> {
 }
 
 fn run_and_tell(args: &RunArgs) -> Result<u8, Failure> {
+    args.gate.prepare()?;
     let studies = load_changed(&args.studies, &args.change.changes()?)?;
     let (runs, drift) = execute(args, &studies)?;
     args.gate.tell(&studies, &runs, &drift, args.strict)?;
@@ -31,6 +33,7 @@ fn run_and_tell(args: &RunArgs) -> Result<u8, Failure> {
     say_drift(&drift, args.strict);
     if !args.quiet {
         sayln!("tables and plots: {}", args.out.join("summary.md").display());
+        sayln!("all on one page:  {}", args.out.join("index.html").display());
     }
     let status = verdict::exit_status(&records);
     let drifted = drift.iter().any(|(_, drift)| !drift.is_empty());
@@ -64,6 +67,7 @@ pub fn library() -> Result<Library, Failure> {
 /// the studies, and what drifted from the baselines, case by case.
 pub fn execute(args: &RunArgs, studies: &[Study]) -> Result<(Vec<Vec<CaseRun>>, Vec<CaseDrift>), Failure> {
     use_threads(args.threads)?;
+    interrupt::listen()?;
     let settings = settings(args)?;
     let progress = Progress::new(studies.iter().map(|s| run::work(s, &settings)).sum(), args.quiet);
     let results = run::each_case(studies, &settings, |study, case| {
@@ -73,6 +77,9 @@ pub fn execute(args: &RunArgs, studies: &[Study]) -> Result<(Vec<Vec<CaseRun>>, 
     });
     progress.finish();
     run::tidy(&settings);
+    if results.iter().flatten().any(|case| case.as_ref().is_err_and(Failure::is_interruption)) {
+        return Err(interrupt::failure(&args.out));
+    }
     let mut all = Vec::new();
     let mut drifted = Vec::new();
     for (study, cases) in studies.iter().zip(results) {
@@ -125,6 +132,7 @@ fn write_case(mut run: CaseRun, args: &RunArgs, progress: &Progress) -> Result<(
     let drift = drift(&mut run)?;
     store::write_record(&args.out, &run.record)?;
     let folder = store::record_folder(&args.out, &run.record)?;
+    args.fields.missing(&run.record).iter().for_each(|words| complain!("{words}"));
     write_fields(&folder, &run.fields)?;
     signorini_report::render_with(&run.record, &run.fields, &folder)?;
     run.is_written();

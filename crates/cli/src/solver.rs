@@ -11,6 +11,7 @@ use std::path::Path;
 
 /// Who solves.
 #[derive(Args, Debug, Clone)]
+#[command(next_help_heading = "Solver")]
 pub struct SolverArgs {
     /// Solve with a method, condensed, interior-point or multigrid, or with another program: a command such as 'python3 solve.py'.
     ///

@@ -159,7 +159,8 @@ fn hypotheses(record: &StudyRecord) -> String {
     format!("Hypotheses: {}.\n\n", record.hypotheses.join("; "))
 }
 
-pub(crate) fn kind_words(kind: ClaimKind) -> &'static str {
+/// How a claim is judged, in words.
+pub fn kind_words(kind: ClaimKind) -> &'static str {
     match kind {
         ClaimKind::Rate => "a rate",
         ClaimKind::Inequality => "an inequality on every level",

@@ -83,17 +83,19 @@ fn statement(records: &[StudyRecord], row: usize) -> &str {
 
 fn text_table(records: &[StudyRecord]) -> Table {
     let columns = ["study · case", "norm", "observed, 95 %", "paper", "today", "exp.", "verdict"];
-    let rows = records.iter().map(|r| Row {
-        cells: [vec![Cell::text(name(r))], figures(r, format::half_interval)].concat(),
-        excluded: None,
-    });
-    Table { rows: rows.collect(), columns: columns.map(|heading| Column::new(heading, heading)).to_vec() }
+    named(records, columns.map(|heading| (heading, heading)), format::half_interval)
 }
 
-/// The same for papers: claim and case in words, no links.
+/// A row for each case under its name, with the interval as `shown` writes it.
+fn named(records: &[StudyRecord], columns: [(&str, &str); 7], shown: fn(f64, f64, f64) -> String) -> Table {
+    let cells = |r| [vec![Cell::text(name(r))], figures(r, shown)].concat();
+    let rows = records.iter().map(|r| Row { cells: cells(r), excluded: None });
+    Table { rows: rows.collect(), columns: columns.map(|(key, heading)| Column::new(key, heading)).to_vec() }
+}
+
+/// The same for papers: no links, and no claims, by which most studies are named, since a page is narrow.
 pub(crate) fn latex_table(records: &[StudyRecord]) -> Table {
     let columns = [
-        ("claim", "claim"),
         ("name", "study · case"),
         ("norm", "norm"),
         ("observed", "observed rate [95 %]"),
@@ -102,11 +104,7 @@ pub(crate) fn latex_table(records: &[StudyRecord]) -> Table {
         ("expected", "expected"),
         ("outcome", "verdict"),
     ];
-    let rows = records.iter().map(|r| Row {
-        cells: [vec![Cell::text(&r.claim), Cell::text(name(r))], figures(r, format::interval)].concat(),
-        excluded: None,
-    });
-    Table { rows: rows.collect(), columns: columns.map(|(key, heading)| Column::new(key, heading)).to_vec() }
+    named(records, columns, format::interval)
 }
 
 /// Norm, observed rate with its interval as `shown` writes it, the three bounds, verdict.

@@ -26,8 +26,12 @@ fn squares(n: usize, gap: f64, u: [[f64; 2]; 2]) -> Fields {
     }
     let von_mises: Vec<f64> = (0..triangles.len()).map(|t| 1.0 + t as f64).collect();
     let upper = row * row;
-    let top = |i: u32| [upper - 1 - i, upper - 2 - i];
     let zone_nodes: Vec<[u32; 2]> = (0..row).map(|i| [i, 2 * upper - row + i]).collect();
+    let boundary = boundary(&triangles, row);
+    let part = |[a, _]: [u32; 2], t: u32| match t < 2 * (n * n) as u32 {
+        true => u32::from(nodes[a as usize][1] != gap + 1.0 || a == upper - row),
+        false => 2,
+    };
     let owner = |i: u32| [2 * i, 2 * (n * n) as u32 + 2 * ((n - 1) * n) as u32 + 2 * i + 1];
     Fields {
         level: 2,
@@ -38,10 +42,12 @@ fn squares(n: usize, gap: f64, u: [[f64; 2]; 2]) -> Fields {
         arcs: Vec::new(),
         strain: vec![[0.0; 3]; triangles.len()],
         stress: vec![[0.0; 3]; triangles.len()],
-        parts: vec![FieldPart { body: 0, name: "top".into(), condition: Condition::Traction }],
-        sides: (0..n as u32).map(top).collect(),
-        side_triangles: (0..n as u32).map(|i| 2 * (n * n) as u32 - 1 - 2 * i).collect(),
-        side_parts: vec![0; n],
+        parts: [(0, "top", Condition::Traction), (0, "rest", Condition::Free), (1, "rest", Condition::Fixed)]
+            .map(|(body, name, condition)| FieldPart { body, name: name.into(), condition })
+            .into(),
+        sides: boundary.iter().map(|b| b.0).collect(),
+        side_triangles: boundary.iter().map(|b| b.1).collect(),
+        side_parts: boundary.iter().map(|(ends, t)| part(*ends, *t)).collect(),
         zone: ZoneFields {
             across_gap: false,
             s: (0..=n).map(at).collect(),
@@ -60,6 +66,16 @@ fn squares(n: usize, gap: f64, u: [[f64; 2]; 2]) -> Fields {
     }
 }
 
+/// The sides that belong to one triangle, but for those of the zone: the lowest row of the first body, the highest of the second.
+fn boundary(triangles: &[[u32; 3]], row: u32) -> Vec<([u32; 2], u32)> {
+    let sides = |t: &[u32; 3]| [[t[0], t[1]], [t[1], t[2]], [t[2], t[0]]];
+    let all: BTreeSet<[u32; 2]> = triangles.iter().flat_map(sides).collect();
+    let of_zone = |[a, b]: &[u32; 2]| [a, b].into_iter().all(|i| *i < row || *i >= 2 * row * row - row);
+    let free = |side: &[u32; 2]| !all.contains(&[side[1], side[0]]) && !of_zone(side);
+    let with_owner = |(k, t): (usize, &[u32; 3])| sides(t).map(|side| (side, k as u32));
+    triangles.iter().enumerate().flat_map(with_owner).filter(|(side, _)| free(side)).collect()
+}
+
 const AT_REST: [[f64; 2]; 2] = [[0.0; 2]; 2];
 
 #[test]
@@ -68,10 +84,20 @@ fn the_set_up_names_bodies_parts_and_zone_and_draws_every_side_once() {
     assert_eq!(fields.check(), Ok(()));
     let chart = plot::mesh(&common::healthy(), &fields);
     let labels: Vec<_> = chart.labels.iter().map(|l| (l.text.as_str(), l.detail.as_str())).collect();
-    assert_eq!(labels, [("Γ_{τ} top", "traction"), ("Γ_{K}", "contact zone")]);
+    assert_eq!(
+        labels,
+        [("Γ_{τ} top", "traction"), ("Γ_{τ} rest", "free"), ("Γ_{u} rest", "fixed"), ("Γ_{K}", "contact zone"),]
+    );
     assert_eq!(chart.names.iter().map(|n| n.0.as_str()).collect::<Vec<_>>(), ["Ω′ upper", "Ω″ lower"]);
-    // Euler: 25 nodes and 32 triangles of a square have 56 sides; 4 sides of the part, 2 × 4 of the zone
-    assert_eq!(chart.strokes.len(), 2 * 56 + 4 + 2 * 4);
+    // Euler: 25 nodes and 32 triangles of a square have 56 sides, 16 of them on its boundary
+    assert_eq!(chart.strokes.len(), 2 * 56 + 2 * 16);
+    // each body is one polygon, and its triangles where the boundary does not close
+    assert_eq!(chart.areas.iter().map(|a| a.outline.len()).collect::<Vec<_>>(), [16, 16]);
+    let mut open = fields.clone();
+    open.sides.pop();
+    open.side_triangles.pop();
+    open.side_parts.pop();
+    assert_eq!(plot::mesh(&common::healthy(), &open).areas.len(), 1 + 32);
     assert!(chart.subtitle[1].starts_with("level 2: 64 triangles, 50 nodes, h = "), "{:?}", chart.subtitle);
 }
 
@@ -84,7 +110,11 @@ fn displacements_are_magnified_by_a_round_factor_that_is_stated() {
     let lowest = chart.areas.iter().flat_map(|a| &a.outline).map(|p| p[1]).filter(|y| *y > -0.5).fold(1.0, f64::min);
     assert!((lowest + 20.0 * 0.004).abs() < 1e-15, "{lowest}");
     // across a gap a factor would let the bodies overlap
-    let closed = plot::deformed(&record, &squares(2, 0.004, [[0.0, -0.004], [0.0; 2]]));
+    let mut fields = squares(2, 0.004, [[0.0, -0.004], [0.0; 2]]);
+    let closed = plot::deformed(&record, &fields);
+    assert!(closed.remarks[0].contains("The initial gap is not drawn"), "{:?}", closed.remarks);
+    fields.zone.across_gap = true;
+    let closed = plot::deformed(&record, &fields);
     assert!(closed.subtitle[1].contains("displacements × 1,"), "{:?}", closed.subtitle);
     assert!(closed.remarks[0].contains("to scale"), "{:?}", closed.remarks);
 }

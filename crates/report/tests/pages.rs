@@ -166,7 +166,10 @@ fn terminal_summary_is_aligned_and_narrow() {
 fn summary_has_one_row_per_case() -> Tested {
     let dir = common::folder("summary");
     let files = render_summary(&several(), &dir)?;
-    assert_eq!(files, ["summary.md", "statements.md", "summary.json"].map(|f| dir.join(f)));
+    assert_eq!(
+        files,
+        ["summary.md", "summary.tex", "statements.md", "summary.json", "index.html"].map(|f| dir.join(f))
+    );
     let rows: serde_json::Value = serde_json::from_slice(&fs::read(dir.join("summary.json"))?)?;
     assert_eq!(rows.as_array().map(Vec::len), Some(4));
     assert_eq!(rows[0]["rate"].as_f64(), Some(1.0));
@@ -184,7 +187,10 @@ fn render_writes_whole_files_and_the_same_bytes_twice() -> Tested {
     let record = common::healthy();
     let files = render(&record, &dir)?;
     let names: Vec<_> = files.iter().filter_map(|f| f.file_name()?.to_str()).collect();
-    assert_eq!(names, ["report.md", "table.csv", "table.json", "rates.png", "rates.svg", "ledger.png", "ledger.svg"]);
+    assert_eq!(
+        names,
+        ["report.md", "table.csv", "table.json", "table.tex", "rates.png", "rates.svg", "ledger.png", "ledger.svg"]
+    );
     let read = || files.iter().map(fs::read).collect::<Result<Vec<_>, _>>();
     let first = read()?;
     render(&record, &dir)?;

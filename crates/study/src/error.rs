@@ -23,6 +23,9 @@ pub enum RunError {
     /// Another program that was to solve a level has not.
     #[error("{0}")]
     External(String),
+    /// The run was asked to stop; levels that were done are kept.
+    #[error("interrupted")]
+    Interrupted,
     /// No reference solution.
     #[error("reference: {0}")]
     Reference(String),
@@ -51,6 +54,14 @@ impl RunError {
         match self {
             Self::InCase { source, .. } => source.is_of_external(),
             other => matches!(other, Self::External(_)),
+        }
+    }
+
+    /// Whether the run was asked to stop.
+    pub fn is_interruption(&self) -> bool {
+        match self {
+            Self::InCase { source, .. } => source.is_interruption(),
+            other => matches!(other, Self::Interrupted),
         }
     }
 

@@ -61,6 +61,8 @@ struct Magnified {
     factor: f64,
     /// Whether bodies were apart, or inside one another, before they were loaded.
     apart: bool,
+    /// Whether the outlines at rest show it, as across a gap.
+    drawn: bool,
 }
 
 impl Magnified {
@@ -72,15 +74,18 @@ impl Magnified {
         // magnified displacements would close a gap too far, which is not magnified with them
         let wanted = if apart { (LARGE * extent / largest).min(1.0) } else { SEEN * extent / largest };
         let factor = if wanted.is_finite() && wanted > 0.0 { round_down(wanted) } else { 1.0 };
-        Self { factor, apart }
+        Self { factor, apart, drawn: fields.zone.across_gap }
     }
 
     fn words(&self) -> String {
         let at_rest = "Grey: outlines at rest.";
-        match (self.apart, self.factor == 1.0) {
-            (true, true) => format!("{at_rest} Displacements are to scale, so that bodies in contact just touch."),
-            (true, false) => format!("{at_rest} Displacements are made smaller and the initial gap is not."),
-            _ => at_rest.into(),
+        match (self.apart, self.drawn, self.factor == 1.0) {
+            (false, ..) => at_rest.into(),
+            (_, false, _) => {
+                format!("{at_rest} The initial gap is not drawn: bodies in contact stand that far from one another.")
+            }
+            (_, _, true) => format!("{at_rest} Displacements are to scale, so that bodies in contact just touch."),
+            _ => format!("{at_rest} Displacements are made smaller and the initial gap is not."),
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use super::body_chart::{Area, BodyChart, Label, Stroke, XY, bounds};
 use super::chart::Colour;
+use super::outline::outline;
 use crate::format;
 use crate::summary::name;
 use signorini_study::fields::{Condition, Fields};
@@ -52,10 +53,15 @@ fn numbers(record: &StudyRecord, fields: &Fields) -> String {
     format!("{sizes}, h = {h}, smallest angle {angle}°, {} contact pairs", level.contact_pairs)
 }
 
+/// Each body in its tint: its outline, or where that is not one line its triangles.
 fn areas(fields: &Fields) -> Vec<Area> {
-    let tint = |t: usize| [Colour::Blue, Colour::Orange][fields.body(t).index()];
-    let area = |t: usize| Area { outline: fields.outline(t, 0.0), colour: tint(t), strength: 0.12 };
-    (0..fields.triangles.len()).map(area).collect()
+    let tinted =
+        |outline: Vec<XY>, body: usize| Area { outline, colour: [Colour::Blue, Colour::Orange][body], strength: 0.12 };
+    let of = |body: usize| match outline(fields, body) {
+        Some(whole) => vec![tinted(whole, body)],
+        None => fields.triangles_of(body).map(|t| tinted(fields.outline(t, 0.0), body)).collect(),
+    };
+    (0..2).flat_map(of).collect()
 }
 
 /// Every side once.

@@ -16,6 +16,7 @@ mod frame;
 mod ledger;
 mod linear;
 mod mesh;
+mod outline;
 mod panel_chart;
 mod panel_draw;
 mod parts;

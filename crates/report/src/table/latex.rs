@@ -33,9 +33,9 @@ impl Table {
     pub fn to_latex_long(&self, caption: &str, label: &str) -> String {
         let heading = self.heading_line();
         format!(
-            "% needs \\usepackage{{booktabs,longtable}}\n\\begin{{longtable}}{{{}}}\n    \\caption{{{}}}\\label{{{}}}\\\\\n    \
+            "% needs \\usepackage{{booktabs,longtable}}\n\\begingroup\\footnotesize\\setlength{{\\tabcolsep}}{{4pt}}\n\\begin{{longtable}}{{{}}}\n    \\caption{{{}}}\\label{{{}}}\\\\\n    \
              \\toprule\n{heading}    \\midrule\n    \\endfirsthead\n    \\toprule\n{heading}    \\midrule\n    \\endhead\n    \
-             \\bottomrule\n    \\endfoot\n{}\\end{{longtable}}\n",
+             \\bottomrule\n    \\endfoot\n{}\\end{{longtable}}\n\\endgroup\n",
             self.alignments(),
             tex(caption),
             label_of(label),

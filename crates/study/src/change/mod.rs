@@ -8,7 +8,7 @@
 //! options. A changed study has an id of its own, with a `_` that no file's id may hold: its records, the levels that it keeps and its
 //! baselines never meet those of the plain study.
 //!
-//! Reading order: [`option`] (what was typed), [`edit`] (one key), [`cases`] (all keys), [`label`] (names).
+//! Reading order: `option` (what was typed), `edit` (one key), `cases` (all keys), `label` (names).
 
 mod cases;
 mod edit;
@@ -88,12 +88,22 @@ impl Changes {
     /// What the file itself is refused for, with its place; a key that does not exist; what the changed study is refused for, with the
     /// options.
     pub fn apply(&self, text: &str, path: &Path) -> Result<Study, StudyError> {
-        let plain = Study::parse(text, path)?;
+        self.apply_by(text, path, |text| Study::parse(text, path))
+    }
+
+    /// The same where another reader knows where the study's mesh files are.
+    pub(crate) fn apply_by(
+        &self,
+        text: &str,
+        path: &Path,
+        read: impl Fn(&str) -> Result<Study, StudyError>,
+    ) -> Result<Study, StudyError> {
+        let plain = read(text)?;
         if self.is_none() {
             return Ok(plain);
         }
         let (changed, made) = cases::changed(text, &plain, self).map_err(|refused| of_option(path, refused))?;
-        let mut study = Study::parse(&changed, path).map_err(|e| self.blamed(e))?;
+        let mut study = read(&changed).map_err(|e| self.blamed(e))?;
         self.name(&mut study, made);
         Ok(study)
     }

@@ -105,7 +105,7 @@ pub fn from_base64(text: &str) -> Option<Vec<u8>> {
     ALPHABET.iter().zip(0_u32..).for_each(|(letter, k)| value[usize::from(*letter)] = Some(k));
     let letters = text.as_bytes();
     let body = text.trim_end_matches('=').len();
-    if letters.len() % 4 != 0 || letters.len() - body > 2 {
+    if !letters.len().is_multiple_of(4) || letters.len() - body > 2 {
         return None;
     }
     let mut bytes = Vec::with_capacity(letters.len() / 4 * 3);

@@ -135,11 +135,13 @@ fn section(text: &mut String, name: &str, arrays: &[Array]) {
 fn data_array(text: &mut String, array: &Array) {
     let mut bytes = (array.bytes.len() as u64).to_le_bytes().to_vec();
     bytes.extend(&array.bytes);
+    // readers give an array that announces one component a second axis
+    let components = match array.components {
+        1 => String::new(),
+        several => format!(" NumberOfComponents=\"{several}\""),
+    };
+    let (kind, name, text_of) = (array.vtk, array.name, base64(&bytes));
     text.push_str(&format!(
-        "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"binary\">\n{}\n</DataArray>\n",
-        array.vtk,
-        array.name,
-        array.components,
-        base64(&bytes)
+        "<DataArray type=\"{kind}\" Name=\"{name}\"{components} format=\"binary\">\n{text_of}\n</DataArray>\n"
     ));
 }

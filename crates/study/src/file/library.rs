@@ -61,10 +61,7 @@ impl Source {
     /// # Errors
     /// As [`Study::load`].
     pub fn load(&self) -> Result<Study, StudyError> {
-        match self.shipped {
-            Some(text) => Study::parse_with(text, &self.path, &Files::Shipped(self.group.folder())),
-            None => Study::load(&self.path),
-        }
+        self.load_changed(&Changes::default())
     }
 
     /// The same with what options change of it.
@@ -73,7 +70,10 @@ impl Source {
     /// As [`Changes::apply`].
     pub fn load_changed(&self, changes: &Changes) -> Result<Study, StudyError> {
         match self.shipped {
-            Some(text) => changes.apply(text, &self.path),
+            Some(text) => {
+                let files = Files::Shipped(self.group.folder());
+                changes.apply_by(text, &self.path, |text| Study::parse_with(text, &self.path, &files))
+            }
             None => changes.apply(&super::text(&self.path)?, &self.path),
         }
     }

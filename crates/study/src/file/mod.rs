@@ -42,7 +42,7 @@ mod traces;
 mod words;
 
 pub use error::{Position, StudyError};
-pub use library::{Group, Library, LibraryError, Source, find_studies};
+pub use library::{EVERYTHING, Group, Library, LibraryError, Source, find_studies};
 
 use crate::study::{Case, Study};
 use mesh_file::Files;

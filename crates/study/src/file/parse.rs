@@ -8,9 +8,16 @@ use crate::nearest::nearest;
 pub fn tables(text: &str) -> Result<RawStudy, Fault> {
     toml::from_str(text).map_err(|e| {
         let span = e.span().unwrap_or(0..0);
-        let message = e.message().trim().replace('\n', "; ");
+        let message = plain(&e.message().trim().replace('\n', "; "));
         let next = next_step(&message);
         Fault::new(span, message, next)
+    })
+}
+
+/// The parser's message without the names of our types.
+fn plain(message: &str) -> String {
+    ["usize", "u64"].iter().fold(message.to_owned(), |m, name| {
+        m.replace(&format!("expected {name}"), "expected a whole number, zero or positive")
     })
 }
 

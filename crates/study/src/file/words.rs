@@ -4,8 +4,11 @@ use super::error::{Fault, refuse};
 use crate::nearest::nearest;
 use std::ops::Range;
 
-/// `did you mean …?` if a candidate is near, else the list of all.
+/// `did you mean …?` if a candidate is near, else the list of all, if there are any.
 pub fn suggestion(word: &str, candidates: &[&str]) -> String {
+    if candidates.is_empty() {
+        return "there is none yet: add it, or leave the name out".into();
+    }
     match nearest(word, candidates.iter().copied()) {
         Some(c) => format!("did you mean `{c}`?"),
         None => format!("use one of: {}", candidates.join(", ")),

@@ -65,8 +65,7 @@ impl BodyMesh {
         let sides = [(b - c).norm(), (c - a).norm(), (a - b).norm()];
         let longest = sides.into_iter().fold(0.0, f64::max);
         let area = twice_area(a, b, c);
-        // written so that NaN is degenerate too
-        if !(area.abs() > FLATTEST * longest * longest) {
+        if area.is_nan() || area.abs() <= FLATTEST * longest * longest {
             let corners: Vec<String> = [i, j, k].map(|n| self.at(n)).into();
             let message = format!(
                 "triangle {} of \"{}\" is degenerate: twice its area is {area:.3e} at the corners {}",

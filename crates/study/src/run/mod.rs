@@ -18,8 +18,11 @@ mod profile;
 mod reference;
 mod refusal;
 mod refused;
+mod schedule;
+mod settings;
 mod slide;
 mod solver;
+mod step;
 #[cfg(test)]
 mod tests;
 #[cfg(test)]
@@ -32,7 +35,7 @@ mod zone_ledger;
 use crate::error::RunError;
 use crate::exact::verify;
 use crate::extrapolation;
-use crate::fields::{Fields, Keep};
+use crate::fields::Fields;
 use crate::lemma::Lemma;
 use crate::rate;
 use crate::record::{Level, Reference, SCHEMA, StudyRecord, ZoneProfile};
@@ -48,42 +51,27 @@ use partial::Partial;
 pub use partial::tidy;
 use rayon::prelude::*;
 pub use refusal::check_refusal;
+pub use schedule::each_case;
+pub use settings::{Profile, RunSettings};
+use settings::{cells_of, profile_name, reference_cells, solver_settings};
 pub use signorini_contact::solver::Method;
-use signorini_contact::solver::Settings;
 pub use solver::Solver;
-use std::cmp::Reverse;
-use std::path::PathBuf;
-use std::sync::OnceLock;
+pub use step::{Step, work};
+use step::{Steps, stepped};
 use timing::{LevelTimes, Stopwatch};
 
-/// How large the meshes are.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Profile {
-    /// All studies together in well under a minute.
-    Quick,
-    /// The published tables.
-    Full,
-}
-
-/// What the command line asks of a run.
-#[derive(Clone, Debug)]
-pub struct RunSettings {
-    /// The sizes.
-    pub profile: Profile,
-    /// This many levels from the coarsest, instead of the profile's own number.
-    pub levels: Option<usize>,
-    /// A solver in place of the study's own, with the study's other settings.
-    pub solver: Option<Solver>,
-    /// Where unfinished cases keep their finished levels; nothing is kept without it.
-    pub partial: Option<PathBuf>,
-    /// Which levels keep their fields.
-    pub keep: Keep,
-}
-
-/// Who is told how far a run has come.
+/// Who is told how far a run has come, and may stop it.
 pub trait Watch: Sync {
-    /// A level, or the reference, is done.
-    fn level_done(&self, _study: &str, _case: &str, _level: usize) {}
+    /// A level, or the reference, is begun.
+    fn begun(&self, _step: &Step<'_>) {}
+
+    /// It is done.
+    fn done(&self, _step: &Step<'_>) {}
+
+    /// Whether the run is to stop: asked before each step. Steps that have begun are finished and kept.
+    fn stops(&self) -> bool {
+        false
+    }
 }
 
 /// Nobody is told.
@@ -111,46 +99,6 @@ impl CaseRun {
     }
 }
 
-/// Cases with a mesh larger than this, in cells per unit, run one at a time: two of them would not fit in memory.
-const LARGE: usize = 512;
-
-/// Calls `one` for every case of the studies, cases with large meshes one after the other and everything else side by
-/// side. Results come study by study, in the order of the files.
-pub fn each_case<T: Send + Sync>(
-    studies: &[Study],
-    settings: &RunSettings,
-    one: impl Fn(&Study, &Case) -> T + Sync,
-) -> Vec<Vec<T>> {
-    let all: Vec<(&Study, &Case)> = studies.iter().flat_map(|s| s.cases.iter().map(move |c| (s, c))).collect();
-    let is_large = |case: &Case| {
-        cells_of(case, settings).iter().copied().chain(reference_cells(case, settings)).any(|n| n > LARGE)
-    };
-    let done: Vec<OnceLock<T>> = all.iter().map(|_| OnceLock::new()).collect();
-    let run = |k: usize| {
-        let (study, case) = all[k];
-        // each number is run once, so the place is free
-        let _ = done[k].set(one(study, case));
-    };
-    let (large, mut rest): (Vec<usize>, Vec<usize>) = (0..all.len()).partition(|&k| is_large(all[k].1));
-    large.into_iter().for_each(&run);
-    // the longest first, so that no thread is left with a long one at the end
-    rest.sort_by_key(|&k| Reverse(area(all[k].1, settings)));
-    rayon::scope_fifo(|scope| {
-        rest.iter().for_each(|&k| {
-            let run = &run;
-            scope.spawn_fifo(move |_| run(k))
-        })
-    });
-    let results: Vec<T> = done.into_iter().filter_map(OnceLock::into_inner).collect();
-    let mut results = results.into_iter();
-    studies.iter().map(|s| results.by_ref().take(s.cases.len()).collect()).collect()
-}
-
-/// How much there is to do, roughly: the cells of all meshes, up to a factor.
-fn area(case: &Case, settings: &RunSettings) -> usize {
-    cells_of(case, settings).iter().copied().chain(reference_cells(case, settings)).map(|n| n * n).sum()
-}
-
 /// Runs one case.
 ///
 /// # Errors
@@ -172,12 +120,14 @@ fn run_lemma(
     watch: &dyn Watch,
 ) -> Result<CaseRun, RunError> {
     let cells = cells_of(case, settings);
+    let steps = Steps::of(study, case, settings);
     let measure = |index: usize| {
-        let mut clock = Stopwatch::start();
-        let level = lemma.measure(cells, index)?;
-        clock.lap(|t| &mut t.error);
-        watch.level_done(&study.id, &case.name, index);
-        Ok((level, clock.finish()))
+        stepped(watch, &steps.level(index), || {
+            let mut clock = Stopwatch::start();
+            let level = lemma.measure(cells, index)?;
+            clock.lap(|t| &mut t.error);
+            Ok((level, clock.finish()))
+        })
     };
     let (levels, times) = side_by_side(cells.len(), measure)?;
     let reference = if case.reference == ReferencePlan::Exact { Reference::Exact } else { Reference::None };
@@ -217,14 +167,11 @@ fn run_contact(
     // what another program answers may have changed with the program
     let keeps = task.external.is_none();
     let partial = if keeps { Partial::open(study, case, settings, &task)? } else { Partial::none() };
-    let overkill = solve_reference(&task, settings)?;
-    if overkill.is_some() {
-        watch.level_done(&study.id, &case.name, cells.len());
-    }
+    let steps = Steps::of(study, case, settings);
+    let overkill = solve_reference(&task, settings, watch, &steps)?;
     let measure = |index: usize| {
-        let measured = partial.level(index, || measure_level(&task, overkill.as_ref().map(|(o, _)| o), index));
-        watch.level_done(&study.id, &case.name, index);
-        measured
+        let measured = || measure_level(&task, overkill.as_ref().map(|(o, _)| o), index);
+        stepped(watch, &steps.level(index), || partial.level(index, measured))
     };
     let measured: Vec<_> = (0..cells.len()).into_par_iter().map(measure).collect();
     let refused::Parted { solved, refused } = refused::part(measured, cells)?;
@@ -237,23 +184,6 @@ fn run_contact(
     record.verdict = refused::doubted(record.verdict, &refused);
     record.notes.extend(refused.into_iter().chain(level::bilateral::note(&record.levels)));
     Ok(CaseRun { record, times, reference_times: overkill.map(|(_, t)| t), fields, kept: partial })
-}
-
-/// How many times [`Watch::level_done`] will be called for a study: its levels, and one for each reference.
-pub fn work(study: &Study, settings: &RunSettings) -> usize {
-    let of = |case: &Case| cells_of(case, settings).len() + usize::from(reference_cells(case, settings).is_some());
-    study.cases.iter().map(of).sum()
-}
-
-/// The mesh parameters of a case under these settings, coarsest first.
-fn cells_of<'a>(case: &'a Case, settings: &RunSettings) -> &'a [usize] {
-    let all = if settings.profile == Profile::Quick { &case.quick } else { &case.full };
-    &all[..settings.levels.unwrap_or(all.len()).min(all.len())]
-}
-
-/// The study's solver settings, with the run's method if it names one.
-fn solver_settings(case: &Case, settings: &RunSettings) -> Settings {
-    Settings { method: settings.solver.as_ref().and_then(Solver::own).unwrap_or(case.solver.method), ..case.solver }
 }
 
 /// Pointwise verification of the exact solution, before any mesh. A solution built for other materials is a planted
@@ -274,16 +204,14 @@ fn verify_exact(case: &Case, scene: &Scene) -> Result<(), RunError> {
         .map_err(|e| RunError::Exact(e.to_string()))
 }
 
-fn solve_reference(task: &Task, settings: &RunSettings) -> Result<Option<(Overkill, LevelTimes)>, RunError> {
-    reference_cells(task.case, settings).map(|cells| task.overkill(cells)).transpose()
-}
-
-/// The mesh parameter of a case's overkill reference.
-fn reference_cells(case: &Case, settings: &RunSettings) -> Option<usize> {
-    match case.reference {
-        ReferencePlan::Overkill { quick, full } => Some(if settings.profile == Profile::Quick { quick } else { full }),
-        _ => None,
-    }
+fn solve_reference(
+    task: &Task,
+    settings: &RunSettings,
+    watch: &dyn Watch,
+    steps: &Steps,
+) -> Result<Option<(Overkill, LevelTimes)>, RunError> {
+    let Some(cells) = reference_cells(task.case, settings) else { return Ok(None) };
+    stepped(watch, &steps.reference(cells), || task.overkill(cells)).map(Some)
 }
 
 fn measure_level(task: &Task, overkill: Option<&Overkill>, index: usize) -> Result<(Level, LevelTimes), RunError> {
@@ -371,12 +299,4 @@ fn notes(case: &Case, levels: &[Level]) -> Vec<String> {
     let mut notes: Vec<String> = case.notes.iter().cloned().chain(warnings).collect();
     notes.dedup();
     notes
-}
-
-fn profile_name(settings: &RunSettings) -> &'static str {
-    match (settings.levels, settings.profile) {
-        (Some(_), _) => "custom",
-        (None, Profile::Quick) => "quick",
-        (None, Profile::Full) => "full",
-    }
 }

@@ -4,6 +4,7 @@ use super::*;
 use crate::record::{PressureSource, ZoneProfile};
 use crate::sample;
 use crate::store::scratch::Scratch;
+use std::path::PathBuf;
 
 fn run(id: &str, case: &str, levels: usize, partial: Option<PathBuf>) -> StudyRecord {
     let study = sample::study(id);

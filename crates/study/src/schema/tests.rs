@@ -27,7 +27,7 @@ fn a_broken_study_is_not() {
     let body = "[[body]]\nname = \"x\"\nmaterial = { young = 1, poisson = 0.3 }\n";
     for (what, old, new, told) in [
         ("a misspelt key", "question =", "qestion =", "unknown"),
-        ("a missing key", "question =", "# question =", "no \"question\""),
+        ("a missing key", "title =", "# title =", "no \"title\""),
         (
             "a text for a number",
             "[[body]]",

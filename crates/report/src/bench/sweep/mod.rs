@@ -112,7 +112,7 @@ const LEGEND: &str = "*Closed* is the share of the constraints that press. *CPU*
 *linear* is the same mesh and material with every pair tied. No products are timed here.";
 const BY_KEY: &str = "From the smallest to the largest over everything else that is swept and all sizes. The last column compares each case with that of the first value, all else equal.";
 const LOCKS: &str = "Linear triangles lock near incompressibility (plane strain, ν above 0.45): there the error on a given mesh \
-grows with 1/(1 − 2ν), whatever solves the equations. Read the column of the error before that of the work.";
+grows with 1/(1 − 2ν), whatever solves the equations. Work and seconds are those of the solver alone.";
 
 fn locks(entries: &[Entry]) -> bool {
     let near =

@@ -72,9 +72,9 @@ const TABLE: &[Row] = &[
     ("young = 1.0", "young = \"stiff\"", "\"stiff\"", "expected a number"),
     ("young = 1.0", "young = nan", "nan", "NaN is not a finite number"),
     ("[[0, 0], [1, 1]]", "[[0, 0], [inf, 1]]", "inf", "inf is not a finite number"),
-    ("quick = [8, 16, 32, 64]", "quick = [-8, 16]", "-8", "expected usize"),
+    ("quick = [8, 16, 32, 64]", "quick = [-8, 16]", "-8", "expected a whole number, zero or positive"),
     ("divisions = [1, 1]", "divisions = [1, 1, 1]", "[1, 1, 1]", "invalid length 3, expected 2 entries"),
-    ("seed = 1", "seed = 1.5", "1.5", "expected u64"),
+    ("seed = 1", "seed = 1.5", "1.5", "expected a whole number, zero or positive"),
     ("[[0, 0], [1, 1]]", "[[0, 0, 5], [1, 1]]", "[0, 0, 5]", "invalid length 3, expected 2 entries"),
     ("[\"0\", \"sin(x)\"]", "[\"sin(x)\"]", "[\"sin(x)\"]", "invalid length 1, expected 2 entries"),
     // names

@@ -107,11 +107,15 @@ fn circle(radius: f64) -> SharedCurve {
 
 #[test]
 fn a_row_follows_the_curve_that_the_study_names() {
-    let msh = Msh::read(PIN).unwrap();
+    let mut msh = Msh::read(PIN).unwrap();
+    // a node that is off by less than the tolerance is put onto the curve
+    let tag = node(&msh, "pin", Point::new(1.0, 0.0));
+    msh.nodes.get_mut(&tag).unwrap().x = 1.000_01;
     let mut pin = BodyMesh::new(&msh, "pin").unwrap();
     let row = rows(&pin.sides(&msh, "pin-face").unwrap()).remove(0);
     assert_eq!(row.len(), 13);
     let path = along(&mut pin, &row, "hole", &circle(1.0)).unwrap();
+    assert!(row.iter().all(|n| (pin.point(*n).norm() - 1.0).abs() < 1e-14));
     assert!(path.is_curved() && path.corners.len() == 2 && (path.corners[0].y + 1.0).abs() < 1e-14);
     let error = along(&mut pin, &row, "hole", &circle(1.01)).unwrap_err();
     assert!(

@@ -76,6 +76,16 @@ fn demand_the_same(id: &str, case: &str, n: usize, curve: &str) {
     assert_eq!(super::super::write(&again, names), super::super::write(&mesh, names));
 }
 
+/// Whatever changes in the file, the case is another one: baselines and unfinished runs of the old file do not serve it.
+#[test]
+fn the_file_is_part_of_what_names_a_case() {
+    let mesh = meshed(&sample::case("two-squares", "two-squares"), 2);
+    let text = super::super::write(&mesh, ["upper", "lower"]);
+    let print = |name: &str, text: &str| Scratch::new(name, text).study(&mesh, ["upper", "lower"], "").fingerprint();
+    assert_eq!(print("once", &text), print("twice", &text));
+    assert_ne!(print("once", &text), print("other", &format!("{text}$Comments\nmade anew\n$EndComments\n")));
+}
+
 #[test]
 fn straight_bodies_come_back_bit_by_bit() {
     demand_the_same("two-squares", "two-squares", 5, "");
