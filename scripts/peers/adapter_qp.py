@@ -1,6 +1,7 @@
-"""The algebraic hand-over under `--solver`: K.mtx, f.mtx, upper.mtx and, where bodies move freely, N.mtx; active set, SuperLU.
+"""The algebraic hand-over under `--solver`: K.mtx, f.mtx, upper.mtx and, where bodies move freely, N.mtx; active set.
 
-Hears nothing of meshes, so curved bodies and free motions are no different. Needs SciPy only.
+Hears nothing of meshes, so curved bodies and free motions are no different. Needs SciPy only; where scikit-sparse is there,
+CHOLMOD takes the place of SuperLU, in far less time.
 """
 
 import os
@@ -12,6 +13,11 @@ from scipy.sparse.linalg import splu
 
 from active_set import primal_dual
 from qp import BoundQp, ClosedSystem
+
+try:
+    from sksparse.cholmod import analyze
+except ImportError:
+    analyze = None
 
 
 def numbers(path: str) -> tuple[list[int], np.ndarray]:
@@ -56,10 +62,14 @@ reduced = sp.csc_matrix(back.T @ stiffness @ back)
 reduced.sort_indices()
 qp = BoundQp(reduced, back.T @ (load - stiffness @ offset), np.searchsorted(kept, bounded), back)
 system = ClosedSystem(qp)
+factor = analyze(qp.stiffness) if analyze else None
 
 
 def solve(closed):
     matrix, right = system.at(closed)
+    if factor:
+        factor.cholesky_inplace(matrix)
+        return factor(right)
     # The settings that SuperLU recommends for symmetric matrices.
     options = {"SymmetricMode": True}
     return splu(matrix, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options=options).solve(right)
