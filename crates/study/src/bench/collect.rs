@@ -13,6 +13,8 @@ use crate::study::ReferencePlan;
 
 /// Largest share of an error that the uncertainty of the extrapolated energy may make.
 const SHARE: f64 = 0.1;
+/// Largest share of a measured error that a solver may have left undone; beyond it its seconds are not those of a solution.
+const UNSOLVED: f64 = 0.05;
 
 /// Outcomes by study, level and task.
 pub(super) struct Sorted<'a>(pub &'a [Repeated]);
@@ -36,10 +38,18 @@ impl Repeated {
         self.outcomes.iter().filter_map(|o| if let Outcome::Product(p) = o { Some(*p) } else { None }).collect()
     }
 
-    /// Why there is nothing to show: the job failed, or its level was not solved.
+    /// Why there is nothing to show: the job failed, or its level was not solved, in the solver's words or by the residual.
     fn fault(&self) -> Option<String> {
         let unsolved = || self.levels().iter().find(|l| !l.level.solver.solved).map(|l| l.level.solver.status.clone());
-        self.failure.clone().or_else(unsolved)
+        let shares = self.levels().into_iter().filter_map(|l| l.level.budget.algebraic);
+        let undone = || {
+            let share = shares.reduce(f64::max).filter(|s| *s > UNSOLVED)?;
+            let [share, most] = [share, UNSOLVED].map(|s| 100.0 * s);
+            Some(format!(
+                "algebraic error is {share:.1} % of the measured error in one of the rounds, more than {most:.1} %"
+            ))
+        };
+        self.failure.clone().or_else(unsolved).or_else(undone)
     }
 }
 

@@ -120,6 +120,29 @@ fn a_job_that_fails_is_left_out_with_its_reason_and_not_tried_again() {
 }
 
 #[test]
+fn an_answer_that_is_no_solution_is_left_out_however_fast_it_came() {
+    let mut plan = plan("theorem-3-1-smooth", None, 3, 3000);
+    plan.solvers.truncate(1);
+    let left_out = |share: f64| {
+        let mut visits = 0;
+        let spoilt = |job: &Job| {
+            let mut outcome = made_up(job, 0.0);
+            if let (Outcome::Level(timed), Task::Contact(_), 2) = (&mut outcome, &job.task, job.cells.len()) {
+                visits += 1;
+                // once is enough
+                timed.level.budget.algebraic = Some(if visits == 2 { share } else { 0.0 });
+            }
+            Ok(outcome)
+        };
+        measure(&plan, |_| (), spoilt).unwrap().studies[0].solvers[0].left_out.clone()
+    };
+    assert!(left_out(0.049).is_empty());
+    let left = left_out(0.08);
+    assert_eq!((left.len(), left[0].level), (1, 1));
+    assert!(left[0].reason.starts_with("algebraic error is 8.0 % of the measured error"), "{left:?}");
+}
+
+#[test]
 fn another_program_that_fails_is_not_tried_on_finer_meshes_and_has_no_linear_problem() {
     let external = External::parse("sh -c 'exit 1'", "out".into(), Limits::default()).unwrap();
     let mut plan = plan("theorem-3-1-smooth", None, 2, 10_000);
