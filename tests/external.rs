@@ -5,6 +5,9 @@ mod common;
 use common::{Ended, Folder, LOADED, relaxation};
 use signorini_study::record::Outcome;
 use std::fs;
+use std::process::{Command, Stdio};
+use std::thread::sleep;
+use std::time::Duration;
 
 /// A folder with the loaded study and a program.
 fn folder(test: &str, program: &str) -> Folder {
@@ -89,8 +92,65 @@ fn answers_that_are_none_are_refused_by_name() {
         &print("%%%%MatrixMarket matrix array real general\\n2 1\\n0\\n0\\n", "x.mtx"),
         &["x.mtx: its size"],
     );
+    refused(
+        "external-held",
+        "END { for (i = 1; i <= 18; i++) print i \",1,1\" > \"displacement.csv\" }",
+        &["displacement.csv: node", "moves by (1e0, 1e0), but its support"],
+    );
+    let both = "END { print 1 > \"x.mtx\"; print 1 > \"displacement.csv\" }";
+    refused("external-both", both, &["it left both displacement.csv and x.mtx"]);
+    let endless = "END { for (i = 0; i < 20000; i++) print \"1,0,0\" > \"displacement.csv\" }";
+    refused("external-long", endless, &["displacement.csv: it has 120000 bytes; 18 rows need no more than"]);
     let fails = "BEGIN { print \"the matrix is singular\" | \"cat 1>&2\"; close(\"cat 1>&2\"); exit 7 }";
     refused("external-fails", fails, &["solve: it ended with exit status 7; it said", "| the matrix is singular"]);
+}
+
+#[test]
+fn the_answer_of_an_earlier_run_is_not_taken_again() {
+    let folder = folder("external-stale", &relaxation(1000, usize::MAX));
+    let again = |out: &str| {
+        let mut run = folder.command(&format!("run loaded --quiet --keep-exchange --out {out} --solver"));
+        Ended::new(run.arg(WITH_AWK).output().expect("the program starts"))
+    };
+    again("reports");
+    assert!(folder.path("reports/.external/loaded@loaded/level-1/x.mtx").exists());
+    folder.write("solve.awk", "END { }");
+    again("reports").complains(2, &["it ended well but left no answer"]);
+}
+
+/// Whether something comes true within ten seconds or so.
+#[cfg(unix)]
+fn patiently(mut is_so: impl FnMut() -> bool) -> bool {
+    let mut later = || {
+        sleep(Duration::from_millis(10));
+        is_so()
+    };
+    (0..1000).any(|_| later())
+}
+
+#[cfg(unix)]
+#[test]
+fn who_quits_takes_the_programs_along() {
+    let folder = folder("external-quit", "");
+    let mut run = folder.command("run loaded --quiet --levels 1 --solver");
+    let mut run = run.arg("sh -c 'echo $$ > pid; sleep 60 & wait'").spawn().expect("the program starts");
+    let pid = folder.path("reports/.external/loaded@loaded/level-0/pid");
+    assert!(patiently(|| fs::read_to_string(&pid).is_ok_and(|text| text.ends_with('\n'))), "the solver never began");
+    let solver = folder.text("reports/.external/loaded@loaded/level-0/pid").trim().to_owned();
+    let kill =
+        |words: &[&str]| Command::new("kill").args(words).stderr(Stdio::null()).status().expect("kill").success();
+    let is_there = || kill(&["-0", "--", &format!("-{solver}")]);
+    assert!(is_there());
+    // once asks, twice quits
+    let program = run.id().to_string();
+    assert!(
+        patiently(|| {
+            kill(&["-INT", &program]);
+            run.try_wait().is_ok_and(|ended| ended.is_some())
+        }),
+        "it goes on"
+    );
+    assert!(patiently(|| !is_there()), "its solver goes on");
 }
 
 #[test]

@@ -7,6 +7,7 @@ use crate::VERSION;
 use crate::args::{BenchArgs, SolverArg};
 use crate::change::load_changed;
 use crate::failure::Failure;
+use crate::interrupt;
 use crate::progress::Count;
 use crate::run::{method, use_threads};
 use crate::solver::EXCHANGE;
@@ -69,6 +70,7 @@ pub fn one() -> Result<u8, Failure> {
     std::io::stdin().read_to_string(&mut text).map_err(|e| broken(format!("no job: {e}")))?;
     let (threads, job): (u16, Job) = serde_json::from_str(&text).map_err(|e| broken(format!("no job: {e}")))?;
     use_threads(Some(threads))?;
+    interrupt::take_along()?;
     let outcome = carry_out(&job, |job: &Job| load_one(&job.study, &job.changes))?;
     let text = to_json(&outcome).map_err(|e| broken(format!("the outcome cannot be told: {e}")))?;
     say!("{text}");

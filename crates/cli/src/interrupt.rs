@@ -1,6 +1,7 @@
 //! Ctrl-C: the first lets the levels that run come to their end, the second quits at once.
 
 use crate::failure::Failure;
+use signorini_study::external::stop_all;
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -18,11 +19,25 @@ pub fn is_asked() -> bool {
 pub fn listen() -> Result<(), Failure> {
     let asked = || {
         if ASKED.swap(true, Ordering::SeqCst) {
-            std::process::exit(i32::from(STATUS));
+            quit();
         }
         complain!("\nstopping: levels that run come to their end and are kept; Ctrl-C again quits at once\n");
     };
-    ctrlc::set_handler(asked).map_err(|e| Failure::new(format!("no handler for Ctrl-C: {e}"), "run again"))
+    handle(asked)
+}
+
+/// From now on Ctrl-C quits at once, and takes the programs along that solve for this one.
+pub fn take_along() -> Result<(), Failure> {
+    handle(quit)
+}
+
+fn quit() {
+    stop_all();
+    std::process::exit(i32::from(STATUS));
+}
+
+fn handle(what: impl FnMut() + Send + 'static) -> Result<(), Failure> {
+    ctrlc::set_handler(what).map_err(|e| Failure::new(format!("no handler for Ctrl-C: {e}"), "run again"))
 }
 
 /// What to tell of a run that was interrupted: what is kept in `out`, and how to go on.

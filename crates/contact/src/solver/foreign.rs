@@ -33,9 +33,10 @@ pub fn adopt(qp: &BoundQp, x: Vec<f64>) -> QpSolution {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::qp::{CertificateScales, certify};
+    use crate::qp::{Bound, CertificateScales, certify};
     use crate::solver::tests::examples::Random;
     use crate::solver::{Settings, solve};
+    use crate::sparse::BlockMatrix;
 
     const SCALES: CertificateScales = CertificateScales { displacement: 1.0, energy: 1.0 };
 
@@ -49,6 +50,27 @@ mod tests {
         for (a, b) in adopted.multipliers.iter().zip(&own.multipliers) {
             assert!((a - b).abs() < 1e-14, "{a} {b}");
         }
+    }
+
+    #[test]
+    fn a_force_on_an_open_bound_is_left_to_the_certificate() {
+        // x_0 = 1 at equilibrium, 0.1 below it a rest of 0.1 that does not reach over the gap of 1
+        let blocks = vec![[1.0, 0.0, 0.0, 1.0]];
+        let matrix = BlockMatrix::new(vec![0, 1], vec![0], blocks);
+        let qp = |upper| BoundQp {
+            matrix: matrix.clone(),
+            load: vec![1.0, 0.0],
+            bounds: vec![Bound { dof: 0, upper }],
+            ..Default::default()
+        };
+        let open = adopt(&qp(1.9), vec![0.9, 0.0]);
+        assert_eq!(open.multipliers, [0.0]);
+        let certificate = certify(&qp(1.9), &open.x, &open.multipliers, &SCALES);
+        assert!((certificate.stationarity - 0.1 / 1.9).abs() < 1e-15, "{certificate:?}");
+        // on its bound the same rest is a force, and nothing is amiss
+        let closed = adopt(&qp(0.9), vec![0.9, 0.0]);
+        assert!((closed.multipliers[0] - 0.1).abs() < 1e-15);
+        assert!(certify(&qp(0.9), &closed.x, &closed.multipliers, &SCALES).stationarity < 1e-15);
     }
 
     #[test]

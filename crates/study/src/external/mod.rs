@@ -21,6 +21,7 @@ mod process;
 
 pub use command::CommandError;
 pub use handover::Handover;
+pub use process::stop_all;
 
 use crate::store::StoreError;
 use serde::{Deserialize, Serialize};

@@ -1,6 +1,7 @@
 //! A child process in a folder of its own, measured and bounded. No shell takes part.
 
 use super::{Limits, Used};
+use std::collections::BTreeSet;
 use std::io::Read;
 use std::path::Path;
 use std::process::{Child, Command, ExitStatus, Stdio};
@@ -18,10 +19,42 @@ const SHOWN: usize = 20;
 const FIRST_LOOK: Duration = Duration::from_micros(200);
 const LAST_LOOK: Duration = Duration::from_millis(10);
 
+/// The children that run now, by their ids, which are those of their groups.
+static RUNNING: Mutex<BTreeSet<u32>> = Mutex::new(BTreeSet::new());
+
+/// Stops every program that runs for this one, with the processes that it started: whoever quits at once must not leave them behind,
+/// since the terminal's Ctrl-C does not reach them.
+pub fn stop_all() {
+    if let Ok(running) = RUNNING.lock() {
+        running.iter().for_each(|id| kill_group(*id));
+    }
+}
+
+/// A child in the list of those that run.
+struct Listed(u32);
+
+impl Listed {
+    fn new(child: &Child) -> Self {
+        if let Ok(mut running) = RUNNING.lock() {
+            running.insert(child.id());
+        }
+        Self(child.id())
+    }
+}
+
+impl Drop for Listed {
+    fn drop(&mut self) {
+        if let Ok(mut running) = RUNNING.lock() {
+            running.remove(&self.0);
+        }
+    }
+}
+
 /// Runs the words in the folder; what it used, or in words why it failed.
 pub(super) fn run(words: &[String], folder: &Path, limits: Limits) -> Result<Used, String> {
     let start = Instant::now();
     let mut child = command(words, folder).spawn().map_err(|e| format!("it cannot be started: {e}"))?;
+    let listed = Listed::new(&child);
     let (output, errors) = (Printed::default(), Printed::default());
     let pipes = (child.stdout.take(), child.stderr.take());
     let finished = thread::scope(|scope| {
@@ -29,9 +62,10 @@ pub(super) fn run(words: &[String], folder: &Path, limits: Limits) -> Result<Use
         scope.spawn(|| pipes.1.map(|p| errors.drain(p)));
         let finished = look_after(&mut child, start, limits, || output.count() + errors.count());
         // whoever else is left in its group would keep the pipes open
-        kill_group(&child);
+        kill_group(child.id());
         finished
     });
+    drop(listed);
     let said = || if errors.is_empty() { output.tail() } else { errors.tail() };
     let finished = finished.map_err(|why| format!("{why}{}", said()))?;
     if !finished.status.success() {
@@ -69,7 +103,7 @@ fn look_after(child: &mut Child, start: Instant, limits: Limits, printed: impl F
             None
         };
         if let Some(why) = excess {
-            kill_group(child);
+            kill_group(child.id());
             // the group may be empty where there are none
             let _ = child.kill();
             let _ = child.wait();
@@ -80,16 +114,16 @@ fn look_after(child: &mut Child, start: Instant, limits: Limits, printed: impl F
     }
 }
 
-/// Ends every process of the child's group that is still there.
-fn kill_group(child: &Child) {
+/// Ends every process of a child's group that is still there.
+fn kill_group(id: u32) {
     #[cfg(unix)]
-    if let Ok(id) = i32::try_from(child.id()) {
+    if let Ok(id) = i32::try_from(id) {
         use nix::sys::signal::{Signal, killpg};
         // no such group: nobody is left, which is what is wanted
         let _ = killpg(nix::unistd::Pid::from_raw(id), Signal::SIGKILL);
     }
     #[cfg(not(unix))]
-    let _ = child;
+    let _ = id;
 }
 
 fn ending(status: ExitStatus) -> String {
