@@ -62,17 +62,22 @@ fn bodies(n: usize, slope: f64) -> Mesh {
         quad([at(0.0, -1.0), at(0.25, -1.0), bend, left], [n / 4, n]),
         quad([at(0.25, -1.0), at(1.0, -1.0), right, bend], [n - n / 4, n]),
     ];
-    let parts = [
+    let parts = around(left, right);
+    let line = if slope == 0.0 { vec![left, right] } else { vec![left, bend, right] };
+    let body = |blocks: &[_]| blocks::triangulate(blocks, blocks::Pattern::Structured).unwrap();
+    Mesh::build([body(&upper), body(&lower)], &parts, &ContactLine::polyline(line)).unwrap()
+}
+
+/// The boundary of two bodies, one above the other, whose zone goes from `left` to `right`.
+fn around(left: Point, right: Point) -> [PartOutline; 6] {
+    [
         part(Body::First, "top", &[at(1.0, 1.0), at(0.0, 1.0)]),
         part(Body::First, "left", &[at(0.0, 1.0), left]),
         part(Body::First, "right", &[right, at(1.0, 1.0)]),
         part(Body::Second, "bottom", &[at(0.0, -1.0), at(1.0, -1.0)]),
         part(Body::Second, "left", &[left, at(0.0, -1.0)]),
         part(Body::Second, "right", &[at(1.0, -1.0), right]),
-    ];
-    let line = if slope == 0.0 { vec![left, right] } else { vec![left, bend, right] };
-    let body = |blocks: &[_]| blocks::triangulate(blocks, blocks::Pattern::Structured).unwrap();
-    Mesh::build([body(&upper), body(&lower)], &parts, &ContactLine::polyline(line)).unwrap()
+    ]
 }
 
 /// The same with an arc of 60° in place of the line: a round hollow below, the upper body fills it.
@@ -89,14 +94,7 @@ fn hollow(n: usize) -> Mesh {
     };
     let upper = block([left, right, at(1.0, 1.0), at(0.0, 1.0)], 0);
     let lower = block([at(0.0, -1.0), at(1.0, -1.0), right, left], 2);
-    let parts = [
-        part(Body::First, "top", &[at(1.0, 1.0), at(0.0, 1.0)]),
-        part(Body::First, "left", &[at(0.0, 1.0), left]),
-        part(Body::First, "right", &[right, at(1.0, 1.0)]),
-        part(Body::Second, "bottom", &[at(0.0, -1.0), at(1.0, -1.0)]),
-        part(Body::Second, "left", &[left, at(0.0, -1.0)]),
-        part(Body::Second, "right", &[at(1.0, -1.0), right]),
-    ];
+    let parts = around(left, right);
     let line = Path { corners: vec![left, right], curves: vec![Some(curve)] };
     let body = |b| blocks::triangulate(&[b], blocks::Pattern::Structured).unwrap();
     Mesh::build([body(upper), body(lower)], &parts, &ContactLine::Common(line)).unwrap()
